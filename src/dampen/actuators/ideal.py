@@ -1,0 +1,28 @@
+"""The ideal actuator: delivers what it is told."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import ClassVar
+
+from dampen.stage import Stage, Step
+
+
+def ideal_step(command, state, parameters, new_state):
+    """B = command."""
+    return command
+
+
+@dataclass(frozen=True)
+class Ideal(Stage):
+    """Delivers the command as it is."""
+
+    kind: ClassVar[str] = "ideal"
+    step: ClassVar[Step] = staticmethod(ideal_step)
+
+    def row(self) -> tuple[float, ...]:
+        return ()
+
+    @property
+    def gain(self) -> float:
+        return 1.0

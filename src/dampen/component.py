@@ -1,0 +1,200 @@
+"""Components: frozen dataclasses whose parameters carry their unit, range and meaning.
+
+Every plant, actuator, disturbance and controller is a :class:`Component`. A parameter is declared once::
+
+    tip_mass: Annotated[float, Ge(0), Unit("kg"), Doc("payload mass M at the tip")] = 0.1
+
+and that one line serves the check at the door, the scenario file, `dampen list` and the generated reference.
+"""
+
+from __future__ import annotations
+
+import dataclasses
+import difflib
+from collections.abc import Iterable, Mapping
+from dataclasses import MISSING, dataclass, fields
+from functools import cache
+from typing import TYPE_CHECKING, Annotated, Any, ClassVar, get_args, get_origin, get_type_hints
+
+from annotated_types import Ge, Gt, Le, Lt, Unit
+from typing_extensions import Doc
+
+if TYPE_CHECKING:
+    from pydantic import BaseModel
+
+_BOUNDS = ((Gt, "gt", ">"), (Ge, "ge", ">="), (Lt, "lt", "<"), (Le, "le", "<="))
+_TYPES = {
+    "float_type": "a number",
+    "float_parsing": "a number",
+    "int_type": "a whole number",
+    "int_from_float": "a whole number",
+    "bool_type": "true or false",
+    "string_type": "a string",
+    "finite_number": "a finite number",
+    "tuple_type": "a list",
+    "dict_type": "a table",
+}
+
+
+class ArgumentError(ValueError):
+    """One or more arguments are wrong; each line of the message says which, what it must be and what it was."""
+
+    def __init__(self, lines: str | Iterable[str]):
+        self.lines = [lines] if isinstance(lines, str) else list(lines)
+        super().__init__("\n".join(self.lines))
+
+    def under(self, prefix: str) -> ArgumentError:
+        """The same complaint, seen from the table that holds the component."""
+        return ArgumentError([line.replace("Argument `", f"Argument `{prefix}.", 1) for line in self.lines])
+
+
+def wrong(name: str, must: str, value: object) -> ArgumentError:
+    """The one form that a complaint about an argument takes."""
+    return ArgumentError(f"Argument `{name}` must {must}, but is {shown(value)}.")
+
+
+def shown(value: object, width: int = 60) -> str:
+    """`value` as its owner wrote it, cut to a readable length."""
+    text = repr(list(value) if isinstance(value, tuple) else value)
+    return text if len(text) <= width else text[: width - 3] + "..."
+
+
+def suggestion(word: str, known: Iterable[str]) -> str:
+    """'; did you mean `x`?' when some known word is near, the list of known words when none is."""
+    known = list(known)
+    near = difflib.get_close_matches(word, known, n=1, cutoff=0.6)
+    return f"; did you mean `{near[0]}`?" if near else f"; known here: {', '.join(known)}."
+
+
+@dataclass(frozen=True)
+class Parameter:
+    """What the code itself knows of one parameter of a component."""
+
+    name: str
+    type: str
+    default: Any
+    required: bool
+    unit: str
+    range: str
+    doc: str
+
+
+@dataclass(frozen=True)
+class Component:
+    """Base of everything that a scenario is made of: checked once, when it is made.
+
+    `kind` is the name under which scenario files know the class.
+    """
+
+    kind: ClassVar[str] = ""
+
+    def __post_init__(self) -> None:
+        values = {f.name: _plain(getattr(self, f.name)) for f in fields(self)}
+        for name, value in check(type(self), values).items():
+            object.__setattr__(self, name, value)
+        self.check()
+
+    def check(self) -> None:
+        """Raise :class:`ArgumentError` where parameters do not fit one another; override where there is such a rule."""
+
+    @classmethod
+    def summary(cls) -> str:
+        """The first line of the docstring."""
+        return (cls.__doc__ or cls.__name__).strip().splitlines()[0]
+
+
+def check(cls: type, values: Mapping[str, Any]) -> dict[str, Any]:
+    """`values` checked against the declared types and ranges of `cls`; raises one :class:`ArgumentError` for all faults."""
+    import pydantic
+
+    try:
+        model = _model(cls).model_validate(dict(values))
+    except pydantic.ValidationError as error:
+        raise ArgumentError([_line(cls, dict(values), e) for e in error.errors()]) from None
+    return {name: getattr(model, name) for name in values}
+
+
+def parameters(cls: type) -> list[Parameter]:
+    """Name, type, default, unit, range and meaning of every parameter of a component class."""
+    hints = get_type_hints(cls, include_extras=True)
+    found = []
+    for f in fields(cls):
+        base, extras = _split(hints[f.name])
+        required = f.default is MISSING and f.default_factory is MISSING
+        default = None if required else f.default if f.default is not MISSING else f.default_factory()  # type: ignore[misc]
+        unit = next((e.unit for e in extras if isinstance(e, Unit)), "")
+        doc = next((e.documentation for e in extras if isinstance(e, Doc)), "")
+        found.append(Parameter(f.name, _type_name(base), default, required, unit, _range(extras), doc))
+    return found
+
+
+def plain(component: Any) -> dict[str, Any]:
+    """The component's parameters as nested dicts of plain values, `None` left out: what a TOML table holds."""
+    return {
+        f.name: plain(value) if dataclasses.is_dataclass(value) else value
+        for f in fields(component)
+        if (value := getattr(component, f.name)) is not None
+    }
+
+
+@cache
+def _model(cls: type) -> type[BaseModel]:
+    """A strict pydantic model with the fields of the dataclass `cls`."""
+    import pydantic
+
+    config = pydantic.ConfigDict(strict=True, extra="forbid", allow_inf_nan=False, arbitrary_types_allowed=True)
+    hints = get_type_hints(cls, include_extras=True)
+    declared: dict[str, Any] = {}
+    for f in fields(cls):
+        base, extras = _split(hints[f.name])
+        bounds = {key: getattr(e, key) for e in extras for kind, key, _ in _BOUNDS if isinstance(e, kind)}
+        base = pydantic.InstanceOf[base] if dataclasses.is_dataclass(base) else base
+        declared[f.name] = (Annotated[base, pydantic.Field(**bounds)] if bounds else base, ...)
+    return pydantic.create_model(cls.__name__, __config__=config, **declared)
+
+
+def _split(hint: Any) -> tuple[Any, tuple[Any, ...]]:
+    return (get_args(hint)[0], get_args(hint)[1:]) if get_origin(hint) is Annotated else (hint, ())
+
+
+def _range(extras: tuple[Any, ...]) -> str:
+    return " and ".join(f"{sign} {getattr(e, key):g}" for e in extras for kind, key, sign in _BOUNDS if isinstance(e, kind))
+
+
+def _type_name(base: Any) -> str:
+    names = {float: "number", int: "whole number", bool: "true/false", str: "string"}
+    if base in names:
+        return names[base]
+    if get_origin(base) is tuple:
+        return f"list of {_type_name(get_args(base)[0])}s"
+    options = [a for a in get_args(base) if a is not type(None)]
+    if options and all(isinstance(o, str) for o in options):
+        return " | ".join(f'"{o}"' for o in options)
+    return " | ".join(_type_name(o) for o in options) if options else getattr(base, "__name__", str(base))
+
+
+def _plain(value: Any) -> Any:
+    """Lists become tuples and NumPy scalars Python numbers, so that either may be given."""
+    if isinstance(value, list | tuple):
+        return tuple(_plain(v) for v in value)
+    return value.item() if type(value).__module__ == "numpy" and getattr(value, "ndim", 1) == 0 else value
+
+
+def _line(cls: type, values: dict[str, Any], error: Any) -> str:
+    """One pydantic error as one line in the house form."""
+    name, *inner = [str(part) for part in error["loc"]]
+    kind, context = error["type"], error.get("ctx", {})
+    path = name + "".join(f"[{part}]" if part.isdigit() else f".{part}" for part in inner if part not in ("[key]",))
+    parameter = next((p for p in parameters(cls) if p.name == name), None)
+    unit = f" {parameter.unit}" if parameter and parameter.unit else ""
+    signs = {"greater_than": (">", "gt"), "greater_than_equal": (">=", "ge"), "less_than": ("<", "lt"), "less_than_equal": ("<=", "le")}
+    if kind in signs:
+        sign, key = signs[kind]
+        must = f"be {sign} {context[key]:g}{unit}"
+    elif kind == "literal_error":
+        must = f"be {context['expected']}"
+    elif parameter and any(other in kind for other in ("union", "is_instance")):
+        must = f"be {parameter.type}{unit}"
+    else:
+        must = f"be {_TYPES.get(kind, error['msg'])}{unit}"
+    return wrong(path, must, error["input"]).lines[0]

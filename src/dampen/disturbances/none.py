@@ -1,0 +1,30 @@
+"""No disturbance."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, ClassVar
+
+import numpy as np
+
+from dampen.disturbances.base import Array, Content, Disturbance
+
+if TYPE_CHECKING:
+    from dampen.plants.base import Port
+
+
+@dataclass(frozen=True)
+class NoDisturbance(Disturbance):
+    """Nothing shakes the structure but its initial state."""
+
+    kind: ClassVar[str] = "none"
+
+    def at_ports(self, trial: int, t: Array, ports: Sequence[Port]) -> Array:
+        return np.zeros((len(t), len(ports)))
+
+    def content(self, trial: int, duration: float, ports: Sequence[Port], length: float) -> Content:
+        return Content((0.0,) * len(ports))
+
+    def same_as(self, trial: int) -> int:
+        return 0

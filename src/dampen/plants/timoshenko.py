@@ -1,0 +1,129 @@
+"""The paper's plant: a clamped Timoshenko beam with a payload at its tip."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from typing import Annotated, ClassVar
+
+import numpy as np
+from annotated_types import Ge, Gt, Unit
+from typing_extensions import Doc
+
+from dampen.component import Component, wrong
+from dampen.plants.base import (
+    Array,
+    Discretisation,
+    Field,
+    Modes,
+    Plant,
+    Port,
+    polynomial,
+    solve_modes,
+    static_compliance,
+)
+from dampen.plants.spaces import FiniteDifference, Space, Spectral
+
+
+@dataclass(frozen=True)
+class BeamState(Component):
+    """Shapes and rates of a beam at the start of trial 0, as polynomials c0 + c1 x + c2 x^2 + ... in x."""
+
+    w: Annotated[tuple[float, ...], Unit("m"), Doc("deflection w(x, 0)")] = ()
+    phi: Annotated[tuple[float, ...], Unit("rad"), Doc("section rotation phi(x, 0)")] = ()
+    w_rate: Annotated[tuple[float, ...], Unit("m/s"), Doc("deflection rate w_t(x, 0)")] = ()
+    phi_rate: Annotated[tuple[float, ...], Unit("rad/s"), Doc("rotation rate phi_t(x, 0)")] = ()
+
+    def check(self) -> None:
+        for name in ("w", "phi"):
+            shape = getattr(self, name)
+            if shape and shape[0] != 0:
+                raise wrong(name, "start with 0, since the beam is clamped at x = 0", shape)
+
+
+@dataclass(frozen=True)
+class TimoshenkoBeam(Plant):
+    """Clamped Timoshenko beam with a tip payload.
+
+        I_rho phi_tt - EI phi_xx + K (phi - w_x) = 0            J phi_tt + EI phi_x   = torque at x = L
+        rho   w_tt   + K (phi_x - w_xx)          = f(x, t)      M w_tt - K (phi - w_x) = force  at x = L
+        w(0, t) = phi(0, t) = 0
+
+    Ports `tip_w` (force and displacement) and `tip_phi` (torque and rotation), fields `w` and `phi`. Defaults are Table I
+    of He et al., IEEE Trans. Syst., Man, Cybern.: Syst., 2017, doi 10.1109/TSMC.2017.2692529, equations (6)-(11).
+    """
+
+    kind: ClassVar[str] = "timoshenko"
+
+    mass_per_length: Annotated[float, Gt(0), Unit("kg/m"), Doc("mass per length rho")] = 1.0
+    length: Annotated[float, Gt(0), Unit("m"), Doc("length L")] = 1.0
+    tip_mass: Annotated[float, Ge(0), Unit("kg"), Doc("payload mass M")] = 0.1
+    bending_stiffness: Annotated[float, Gt(0), Unit("N m^2"), Doc("bending stiffness EI")] = 35.0
+    rotary_inertia: Annotated[float, Gt(0), Unit("kg m"), Doc("rotary inertia per length I_rho")] = 2.0
+    tip_inertia: Annotated[float, Ge(0), Unit("kg m^2"), Doc("payload inertia J")] = 0.1
+    shear_stiffness: Annotated[float, Gt(0), Unit("N"), Doc("shear stiffness K = kAG")] = 15.0
+    initial: Annotated[BeamState, Doc("shapes and rates at the start of trial 0")] = field(default_factory=BeamState)
+
+    @property
+    def ports(self) -> tuple[Port, ...]:
+        return (Port("tip_w", "w", self.length, "force"), Port("tip_phi", "phi", self.length, "torque"))
+
+    @property
+    def fields(self) -> tuple[tuple[str, str], ...]:
+        return (("w", "m"), ("phi", "rad"))
+
+    @property
+    def span(self) -> float:
+        return self.length
+
+    def initial_ports(self) -> tuple[float, ...]:
+        tip = np.array([self.length])
+        return tuple(float(polynomial(c or (0.0,))(tip)[0]) for c in (self.initial.w, self.initial.phi))
+
+    def modes(self, count: int, discretisation: Discretisation = "spectral", points: int = 51) -> Modes:
+        """The lowest `count` modes. Raises ArgumentError if the discretisation has fewer."""
+        space: Space
+        if discretisation == "spectral":
+            space = Spectral(self.length, _degree(count))
+        else:
+            space = FiniteDifference(self.length, points)
+        size = len(space.vv)
+        tip = space.values(np.array([self.length]))[0]
+        mass = np.zeros((2 * size, 2 * size))
+        stiffness = np.zeros_like(mass)
+        w, phi = slice(0, size), slice(size, None)
+        mass[w, w] = self.mass_per_length * space.vv + self.tip_mass * np.outer(tip, tip)
+        mass[phi, phi] = self.rotary_inertia * space.vv + self.tip_inertia * np.outer(tip, tip)
+        stiffness[w, w] = self.shear_stiffness * space.dd
+        stiffness[w, phi] = -self.shear_stiffness * space.dv
+        stiffness[phi, w] = stiffness[w, phi].T
+        stiffness[phi, phi] = self.bending_stiffness * space.dd + self.shear_stiffness * space.vv
+        omega, vectors = solve_modes(mass, stiffness, count)
+        port_vectors = np.zeros((2 * size, 2))
+        port_vectors[w, 0] = port_vectors[phi, 1] = tip
+        w_vectors, phi_vectors = vectors[w], vectors[phi]
+        return Modes(
+            omega=omega,
+            b=np.ascontiguousarray(port_vectors.T @ vectors),
+            ports=self.ports,
+            fields=(
+                Field("w", "m", lambda x: space.values(x) @ w_vectors, self.mass_per_length, ((self.length, self.tip_mass),)),
+                Field("phi", "rad", lambda x: space.values(x) @ phi_vectors, self.rotary_inertia, ((self.length, self.tip_inertia),)),
+            ),
+            compliance=static_compliance(stiffness, port_vectors),
+            rule=space.rule,
+            breaks=space.breaks,
+        )
+
+    def initial_state(self, modes: Modes) -> tuple[Array, Array]:
+        start = self.initial
+        q = modes.project("w", polynomial(start.w or (0.0,))) + modes.project("phi", polynomial(start.phi or (0.0,)))
+        rate = modes.project("w", polynomial(start.w_rate or (0.0,))) + modes.project("phi", polynomial(start.phi_rate or (0.0,)))
+        return q, rate
+
+
+def _degree(count: int) -> int:
+    """Polynomial degree that resolves `count` modes: two families at most, pi points a wavelength, and a margin.
+
+    In the worst case one family holds all `count` modes, which is count/2 wavelengths.
+    """
+    return int(np.ceil(np.pi * count / 2)) + 24

@@ -1,0 +1,67 @@
+"""The log barrier V(y) = 1/4 ln^2(C^2 / (C^2 - y^2)) and its discrete gradient, as scalar functions for the kernel.
+
+The discrete gradient (V(y_new) - V(y)) / (y_new - y) makes the barrier's work over a step exactly its change of energy
+(Gonzalez, J. Nonlinear Sci. 6, 1996). Beyond `EDGE * C` the barrier goes on in a straight line: the law stays defined, and
+monotone, where an actuator or the arithmetic cannot hold the constraint.
+"""
+
+from __future__ import annotations
+
+import math
+
+EDGE = 1 - 1e-12
+
+
+def log_ratio(y, limit):
+    """ln(C^2 / (C^2 - y^2)) for |y| < C, with small relative error at both ends of the range."""
+    return math.log1p(y * y / ((limit - y) * (limit + y)))
+
+
+def log_ratio_at(y_new, y, log_y, limit):
+    """log_ratio(y_new, limit) from its value at y; beyond the edge it is not used, and left alone."""
+    edge = EDGE * limit
+    if abs(y_new) > edge:
+        return log_y
+    if abs(y) > edge:
+        return log_ratio(y_new, limit)
+    s = (y + y_new) / ((limit - y) * (limit + y) + (limit - y_new) * (limit + y_new))
+    z = (y_new - y) * s
+    square = z * z
+    if square < 1e-6:
+        return log_y + 2 * z * (1 + square * (1 / 3 + square * (1 / 5)))
+    return log_ratio(y_new, limit)
+
+
+def barrier_gradient(y, y_new, log_y, limit):
+    """(V(y_new) - V(y)) / (y_new - y), without 0/0; `log_y` is log_ratio(y, limit), or anything once y is beyond the edge.
+
+    With D = 2 C^2 - y^2 - y_new^2, s = (y + y_new) / D and z = (y_new - y) s, half the difference of the two logarithms is
+    atanh(z), and the gradient is (log_y + atanh z) (atanh z / z) s.
+    """
+    edge = EDGE * limit
+    if abs(y) > edge or abs(y_new) > edge:
+        return gradient_beyond(y, y_new, limit, edge)
+    s = (y + y_new) / ((limit - y) * (limit + y) + (limit - y_new) * (limit + y_new))
+    z = (y_new - y) * s
+    square = z * z
+    if square < 1e-6:
+        ratio = 1 + square * (1 / 3 + square * (1 / 5))
+    else:
+        ratio = (log_ratio(y_new, limit) - log_y) / (2 * z)
+    return (log_y + z * ratio) * ratio * s
+
+
+def gradient_beyond(y, y_new, limit, edge):
+    """The same with y or y_new beyond the edge, where V goes on with the slope it has there."""
+    log_edge = log_ratio(edge, limit)
+    steep = edge / ((limit - edge) * (limit + edge)) * log_edge
+    if y == y_new:
+        return math.copysign(steep, y)
+    log_old, log_new = log_edge, log_edge
+    if abs(y) < edge:
+        log_old = log_ratio(y, limit)
+    if abs(y_new) < edge:
+        log_new = log_ratio(y_new, limit)
+    rise = 0.25 * (log_new - log_old) * (log_new + log_old)
+    rise += steep * (max(abs(y_new) - edge, 0.0) - max(abs(y) - edge, 0.0))
+    return rise / (y_new - y)

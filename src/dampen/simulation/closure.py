@@ -1,0 +1,165 @@
+"""The port closure: the force at one port that law, actuator and structure agree on, as scalar functions for the kernel.
+
+Over a step of length dt a port moves with the mean velocity v = v_free + g B, where B is the delivered force, and
+
+    B = A(u),    u in feedforward - damping v_law - coulomb Sgn(v_law) - barrier V'(y, y_new),    v_law = v + soft (B - B_slow)
+
+A is the chain of stages between law and force. v_law is the velocity that the law sees. It differs from v by a small
+compliance at the port, soft = SOFTNESS g, that gives way to what is fast in B and holds what is slow (B_slow follows B at the
+rate RELAXATION a step). Without it a stuck port's held force would have to flip the end velocity in every step; with it a
+point mass comes to rest within a few steps. It is passive: over a step it stores soft dt B_slow^2 / (2 RELAXATION) and
+dissipates soft dt (1 - RELAXATION/2) (B - B_slow)^2, and both go into the energy account.
+
+With non-negative damping, coulomb and barrier and a non-decreasing A, the commands that the law allows fall as B rises: there
+is exactly one solution, sticking (v_law = 0, a command inside the jump of Sgn) included.
+"""
+
+from __future__ import annotations
+
+import math
+
+from dampen.simulation.barrier import barrier_gradient
+
+SOFTNESS = 1.0
+RELAXATION = 0.05
+TOLERANCE = 1e-12
+ITERATIONS = 200
+
+
+def stage_step(code, command, state, parameters, new_state):
+    """Step the stage with this code; bound to the scenario's own step functions before use."""
+    raise NotImplementedError
+
+
+def through(port, command, stages):
+    """The port's chain of stages: what a command delivers now. Where it would lead goes to the stages' `new_state`."""
+    for s in range(port.first, port.last):
+        stage = stages[s]
+        command = stage_step(stage.code, command, stage.state, stage.parameters, stage.new_state)
+    return command
+
+
+def port_force(port, stages, v_free, g, dt):
+    """Solve the inclusion at one port: force, command, v_law, slope (dB/dv_free) and the stages' next states.
+
+    What the port did last is tried first; a solution found so is the solution, since there is only one. If that fails: with
+    the force B_hold at which v_law = 0, do commands that the law allows there reach it? Then the port sticks. If not, the
+    direction of slip is known, and the residual r(B) = A(u(B)) - B falls with a slope of at most -1, so that its root lies
+    between B_hold and B_hold + r(B_hold): a guarded secant finds it.
+    """
+    h = g + port.soft
+    w = v_free - port.soft * port.slow
+    if port.v_law != 0.0 and port.slope == 0.0 and still_slips(port, stages, v_free, g, w, h, dt):
+        return
+    hold = -w / h
+    port.middle = port.feedforward - barrier_force(port, v_free + g * hold, dt)
+    if port.v_law == 0.0 and still_sticks(port, stages, hold, h):
+        return
+    middle = through(port, port.middle, stages)
+    if middle == hold:
+        settle(port, hold, port.middle, 0.0, -1 / h)
+        return
+    sign = 1.0 if middle > hold else -1.0
+    edge = port.middle - sign * port.coulomb
+    output = through(port, edge, stages)
+    if sign * (output - hold) <= 0:
+        settle(port, hold, command_for(port, hold, port.middle, middle, edge, output, stages), 0.0, -1 / h)
+        return
+
+    slip, slip_r = hold, output - hold
+    x, over, over_r = output, output, 0.0
+    for iteration in range(ITERATIONS):
+        command = slip_command(port, sign, w + h * x, v_free + g * x, dt)
+        output = through(port, command, stages)
+        r = output - x
+        contraction = abs(1 + (r - slip_r) / (x - slip))
+        if r == 0 or (contraction < 0.5 and abs(r) * contraction <= TOLERANCE * (abs(output) + abs(x))):
+            settle(port, output, command, w + h * output, -contraction / (h * (1 + contraction)))
+            return
+        if (r > 0) == (slip_r > 0):
+            slip, slip_r = x, r
+        else:
+            over, over_r = x, r
+        if iteration < 8 and over_r != 0.0:
+            x = slip - slip_r * (over - slip) / (over_r - slip_r)
+        else:
+            x = 0.5 * (slip + over)
+        if x == slip or x == over:
+            break
+    # The barrier is so stiff that rounding of y_new decides the command: keep the force, take the command that delivers it.
+    command = command_for(port, x, command, output, edge, through(port, edge, stages), stages)
+    settle(port, x, command, w + h * x, -1 / h)
+
+
+def confirm(port, stages, v_free, g, dt):
+    """Whether a port goes on as it was just found, now that its neighbours moved it a little: then all is brought up to date."""
+    h = g + port.soft
+    w = v_free - port.soft * port.slow
+    if port.v_law == 0.0:
+        return still_sticks(port, stages, -w / h, h)
+    return still_slips(port, stages, v_free, g, w, h, dt)
+
+
+def still_sticks(port, stages, hold, h):
+    """Try to deliver the new holding force from the flank that delivered the last."""
+    command = port.command + (hold - port.held) / port.gain
+    output = through(port, command, stages)
+    scale = abs(hold) + port.gain * (abs(command) + port.coulomb)
+    if abs(output - hold) > TOLERANCE * scale or abs(command - port.middle) > port.coulomb:
+        return False
+    settle(port, hold, command, 0.0, -1 / h)
+    return True
+
+
+def still_slips(port, stages, v_free, g, w, h, dt):
+    """Try the force that is already there, slipping in the direction of the last v_law."""
+    x, sign = port.force, math.copysign(1.0, port.v_law)
+    command = slip_command(port, sign, w + h * x, v_free + g * x, dt)
+    output = through(port, command, stages)
+    contraction = -port.slope * h / (1 + port.slope * h)
+    miss = abs(output - x) * max(contraction, 1e-3)
+    if sign * (w + h * output) <= 0 or miss > TOLERANCE * (abs(output) + abs(x)):
+        return False
+    settle(port, output, command, w + h * output, port.slope)
+    return True
+
+
+def slip_command(port, sign, v_law, v, dt):
+    """The law of a port that slips in the direction `sign`."""
+    return port.feedforward - port.damping * v_law - sign * port.coulomb - barrier_force(port, v, dt)
+
+
+def barrier_force(port, v, dt):
+    """The law's barrier term, its discrete gradient, if the port moves with mean velocity v."""
+    if port.barrier == 0.0:
+        return 0.0
+    return port.barrier * barrier_gradient(port.y, port.y + dt * v, port.log_y, port.limit)
+
+
+def command_for(port, target, near, near_output, far, far_output, stages):
+    """The command nearest to `near`, between `near` and `far`, that delivers `target`.
+
+    On a flank of full slope one step from either end lands on it; elsewhere the bracket is halved.
+    """
+    scale = abs(target) + abs(far_output) + port.gain * (abs(near) + abs(far))
+    low, high = min(near, far), max(near, far)
+    guess = far - (far_output - target) / port.gain
+    for iteration in range(ITERATIONS):
+        output = through(port, guess, stages)
+        if abs(output - target) <= TOLERANCE * scale or guess == low or guess == high:
+            break
+        if output < target:
+            low = max(low, guess)
+        else:
+            high = min(high, guess)
+        guess = near - (near_output - target) / port.gain if iteration == 0 else 0.5 * (low + high)
+    return guess
+
+
+def settle(port, force, command, v_law, slope):
+    """Write down what a port came to."""
+    port.force = force
+    port.command = command
+    port.v_law = v_law
+    port.slope = slope
+    port.held = force

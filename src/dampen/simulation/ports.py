@@ -1,0 +1,69 @@
+"""All ports of one step: each port's closure is solved inside the response of the ports before it.
+
+The ports are coupled by v = v_free + G B. Port p is solved with the later ports' forces as guessed. How its own force would
+answer to theirs, slope_p = dB_p/dv_free, is then eliminated from the equations of the later ports, as in Gaussian elimination;
+back substitution follows, and every port but the last is checked against the forces that came out. Where no port changed
+between sticking and slipping that is Newton's method on a piecewise smooth problem: one round settles it, however strongly
+the ports are coupled. Should rounds ever cycle, plain sweeps take over, which always converge here.
+"""
+
+from __future__ import annotations
+
+from dampen.simulation.closure import confirm, port_force
+
+NEWTON_ROUNDS = 20
+ROUNDS = 10_000
+SETTLED = 1e-11
+
+
+def close_ports(ports, stages, g, coupling, dt):
+    """Solve the closure of every port; `force` brings the guess, `coupling` (ports, ports) is scratch."""
+    n = len(ports)
+    for attempt in range(ROUNDS):
+        forward(ports, stages, g, coupling, dt, attempt < NEWTON_ROUNDS)
+        settled = True
+        for p in range(n - 2, -1, -1):
+            for r in range(p + 1, n):
+                ports[p].force += ports[p].slope * coupling[p, r] * (ports[r].force - ports[r].guess)
+        for p in range(n - 1):
+            v_others = velocity(p, ports, g) - g[p, p] * ports[p].force
+            settled &= confirm(ports[p], stages, v_others, g[p, p], dt)
+        if settled or unmoved(ports):
+            return
+
+
+def unmoved(ports):
+    """Whether a whole round has left every force as it was."""
+    still = True
+    for port in ports:
+        still &= abs(port.force - port.guess) <= SETTLED * abs(port.force)
+    return still
+
+
+def forward(ports, stages, g, coupling, dt, newton):
+    """Solve port after port, each with the ports before it eliminated."""
+    n = len(ports)
+    for p in range(n):
+        port = ports[p]
+        port.guess = port.force
+        port.v_others = velocity(p, ports, g) - g[p, p] * port.force
+        for r in range(n):
+            coupling[p, r] = g[p, r]
+    for p in range(n):
+        port = ports[p]
+        port_force(port, stages, port.v_others, coupling[p, p], dt)
+        if not newton:
+            port.slope = 0.0
+        for r in range(p + 1, n):
+            answer = coupling[r, p] * port.slope
+            ports[r].v_others += coupling[r, p] * (port.force - port.guess) - answer * coupling[p, r] * ports[r].guess
+            for t in range(p + 1, n):
+                coupling[r, t] += answer * coupling[p, t]
+
+
+def velocity(p, ports, g):
+    """Mean velocity of port p over the step under the forces of all."""
+    v = ports[p].v_free
+    for r in range(len(ports)):
+        v += g[p, r] * ports[r].force
+    return v

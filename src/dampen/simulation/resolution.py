@@ -1,0 +1,44 @@
+"""Can modes, step and quadrature resolve what shakes the structure? Refuse what they cannot, warn where it is thin."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from dampen.component import wrong
+from dampen.plants.base import Modes
+from dampen.simulation.scenario import Scenario
+
+REFUSED, WANTED = 4, 10
+SHORTEST_WAVES = 2000
+
+
+def check_resolution(scenario: Scenario, modes: Modes) -> list[str]:
+    """Warnings, one line each; raises ArgumentError where a disturbance would be sampled beyond recognition.
+
+    A period must have more than 4 steps and should have 10; the highest mode should be faster than anything that shakes a
+    port, since what is faster than all modes meets only their static compliance.
+    """
+    step, ports, span = scenario.numerics.step, scenario.plant.ports, scenario.plant.span
+    contents = [scenario.disturbance.content(j, scenario.task.trial_duration, ports, span) for j in range(scenario.task.trials)]
+    fastest = [max(*c.port_frequency, c.load_frequency, 0.0) for c in contents]
+    trial = int(np.argmax(fastest))
+    frequency, wave = fastest[trial], min(c.load_wave for c in contents)
+    if frequency * step * REFUSED >= 1:
+        must = f"be < {1 / (REFUSED * frequency):.2g} s to resolve the {frequency:g} Hz that shake trial {trial}"
+        raise wrong("numerics.step", must, step)
+    if span / wave > SHORTEST_WAVES:
+        raise wrong("disturbance", f"have waves longer than {span / SHORTEST_WAVES:.2g} m on this structure", wave)
+    warnings = []
+    if frequency * step * WANTED > 1:
+        warnings.append(
+            f"Trial {trial} is shaken at {frequency:g} Hz, {1 / (frequency * step):.1f} steps a period: "
+            f"`numerics.step` = {1 / (WANTED * frequency):.2g} would do."
+        )
+    highest = modes.omega[-1] / (2 * np.pi)
+    if frequency > highest:
+        enough = int(np.ceil(modes.count * frequency / highest)) + 1
+        warnings.append(
+            f"Trial {trial} is shaken at {frequency:g} Hz, but the highest of {modes.count} modes is at {highest:.1f} Hz: "
+            f"about `numerics.modes` = {enough} would do."
+        )
+    return warnings

@@ -1,0 +1,140 @@
+"""A result: the variables of all finished trials, with the whole scenario and the version; in memory or in a NetCDF file."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from dampen.simulation.scenario import Scenario
+from dampen.toml import to_toml
+
+if TYPE_CHECKING:
+    import xarray
+
+Array = np.ndarray
+
+
+@dataclass(frozen=True)
+class Variable:
+    """One variable of a result: its dimensions after `trial`, unit and meaning. Unit "" with a port: see the coordinates."""
+
+    dims: tuple[str, ...]
+    unit: str
+    meaning: str
+    kind: str = "f8"
+
+
+SIGNALS = {
+    "y": Variable(("time", "port"), "", "displacement (angle) at the port"),
+    "energy": Variable(("time",), "J", "kinetic and potential energy of the structure, payload included"),
+    "barrier_energy": Variable(("time",), "J", "energy of the barrier, as the actuator's slope delivers it"),
+    "compliance_energy": Variable(("time",), "J", "energy stored in the ports' numerical compliance"),
+    "v": Variable(("step", "port"), "", "rate that the law sees: exactly 0 while the port sticks"),
+    "command": Variable(("step", "port"), "", "the law's value"),
+    "delivered": Variable(("step", "port"), "", "force (torque) that the actuator delivers"),
+    "disturbance": Variable(("step", "port"), "", "disturbing force (torque) at the port"),
+    "work_control": Variable(("step", "port"), "J", "work of the delivered force over the step"),
+    "work_actuator": Variable(("step", "port"), "J", "part of it that is not the actuator's slope times the command"),
+    "work_disturbance": Variable(("step", "port"), "J", "work of the port's disturbance over the step"),
+    "work_load": Variable(("step",), "J", "work of the distributed load over the step"),
+    "compliance_loss": Variable(("step",), "J", "energy dissipated by the ports' numerical compliance over the step"),
+}
+STATUS = Variable((), "", "0: finished, 1: broke off", "i1")
+
+
+@dataclass(frozen=True)
+class Layout:
+    """The shape of a result before it is filled."""
+
+    scenario: Scenario
+    sizes: Mapping[str, int]
+    variables: Mapping[str, Variable]
+    coordinates: Mapping[str, tuple[tuple[str, ...], Array, str]]
+
+    @staticmethod
+    def of(scenario: Scenario, x: Array) -> Layout:
+        plant, steps, dt = scenario.plant, scenario.steps, scenario.numerics.step
+        fields = {name: Variable(("time_out", "x"), unit, f"field {name}(x, t)", "f4") for name, unit in plant.fields}
+        learned = {
+            name: Variable(("step", "port"), "", f"learned {name} after the trial") for name in scenario.controller.begin(scenario.setting)
+        }
+        peak = Variable(("field",), "", "largest |field| of the trial, over snapshots everywhere and over ports at every step")
+        time = np.arange(steps + 1) * dt
+        coordinates: dict[str, tuple[tuple[str, ...], Array, str]] = {
+            "time": (("time",), time, "s"),
+            "step": (("step",), time[:-1] + dt / 2, "s"),
+            "time_out": (("time_out",), time[:: scenario.output.every], "s"),
+            "x": (("x",), x, "m"),
+            "port": (("port",), np.array([p.name for p in plant.ports]), ""),
+            "motion_unit": (("port",), np.array([p.motion_unit for p in plant.ports]), ""),
+            "effort_unit": (("port",), np.array([p.effort_unit for p in plant.ports]), ""),
+            "field": (("field",), np.array([name for name, _ in plant.fields]), ""),
+        }
+        sizes = {dims[0]: len(values) for dims, values, _ in coordinates.values()}
+        return Layout(scenario, sizes, {**SIGNALS, **learned, **fields, "peak": peak, "status": STATUS}, coordinates)
+
+    def shape(self, variable: Variable) -> tuple[int, ...]:
+        return tuple(self.sizes[dim] for dim in variable.dims)
+
+
+@dataclass
+class Result:
+    """What a run left. `result["y"][3]` is the port motion of trial 3; `result.dataset` is everything as an xarray Dataset.
+
+    trials: number of finished trials.   status: "complete", "interrupted" or "diverged".   warnings: about resolution.
+    """
+
+    scenario: Scenario
+    version: str
+    status: str
+    trials: int
+    layout: Layout
+    arrays: Mapping[str, Any]
+    warnings: list[str] = field(default_factory=list)
+    path: Path | None = None
+
+    def __getitem__(self, name: str) -> Any:
+        """All trials of a variable, (trial, ...); from a file, read when indexed."""
+        return self.arrays[name]
+
+    @property
+    def time(self) -> Array:
+        """(steps + 1,) clock of a trial [s]."""
+        return self.layout.coordinates["time"][1]
+
+    @property
+    def x(self) -> Array:
+        """Output points along the structure [m]."""
+        return self.layout.coordinates["x"][1]
+
+    @property
+    def time_out(self) -> Array:
+        """Times of the snapshots in a trial [s]."""
+        return self.layout.coordinates["time_out"][1]
+
+    @property
+    def dataset(self) -> xarray.Dataset:
+        """Everything as an xarray Dataset with units, loaded."""
+        import xarray
+
+        data = {
+            name: (("trial", *v.dims), np.asarray(self.arrays[name][: self.trials]), {"units": v.unit, "long_name": v.meaning})
+            for name, v in self.layout.variables.items()
+        }
+        coords = {name: (dims, values, {"units": unit}) for name, (dims, values, unit) in self.layout.coordinates.items()}
+        return xarray.Dataset(data, {**coords, "trial": np.arange(self.trials)}, attrs=self.attributes)
+
+    @property
+    def attributes(self) -> dict[str, Any]:
+        return {
+            "title": self.scenario.title or self.scenario.name,
+            "dampen_version": self.version,
+            "status": self.status,
+            "trials_finished": self.trials,
+            "warnings": "\n".join(self.warnings),
+            "scenario": to_toml(self.scenario),
+        }

@@ -1,0 +1,124 @@
+"""A scenario: everything that one experiment consists of, as objects."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field, replace
+from typing import Annotated, Literal
+
+import numpy as np
+from annotated_types import Ge, Gt, Unit
+from typing_extensions import Doc
+
+from dampen.component import ArgumentError, Component, wrong
+from dampen.controllers.base import Controller, Setting
+from dampen.disturbances.base import Disturbance
+from dampen.plants.base import Discretisation, Plant
+from dampen.stage import Stage
+
+Positive = Annotated[float, Gt(0)]
+NonNegative = Annotated[float, Ge(0)]
+
+
+@dataclass(frozen=True)
+class Task(Component):
+    """What is to be done: how many trials of what length, and within which constraint."""
+
+    trials: Annotated[int, Ge(1), Doc("number of trials")] = 25
+    trial_duration: Annotated[float, Gt(0), Unit("s"), Doc("duration T_b of a trial")] = 2.0
+    start: Annotated[Literal["chained"], Doc("a trial starts in the state in which the last one ended")] = "chained"
+    constraint: Annotated[dict[str, Positive], Doc("for each port the displacement or angle C to stay below [m, rad]")] = field(
+        default_factory=dict
+    )
+
+
+@dataclass(frozen=True)
+class Numerics(Component):
+    """How the experiment is computed."""
+
+    discretisation: Annotated[Discretisation, Doc("in space")] = "spectral"
+    modes: Annotated[int, Ge(1), Doc("number of modes kept")] = 80
+    points: Annotated[int, Ge(3), Doc("grid points of the finite-difference grid, clamp included")] = 51
+    step: Annotated[float, Gt(0), Unit("s"), Doc("time step; must divide the trial's duration")] = 0.001
+    mode: Annotated[Literal["continuous"], Doc("the law acts continuously in time")] = "continuous"
+
+
+@dataclass(frozen=True)
+class Output(Component):
+    """What is kept of the fields; port signals and energies are kept at every step."""
+
+    points: Annotated[int, Ge(2), Doc("points along the structure")] = 51
+    every: Annotated[int, Ge(1), Doc("steps from one snapshot to the next; must divide the number of steps")] = 10
+
+
+@dataclass(frozen=True)
+class Scenario(Component):
+    """One experiment: plant, actuators, disturbance, controller, task, stated bounds, numerics and output.
+
+    actuators: for each port its chain of stages; a port that is left out has an ideal actuator.
+    bounds:    what the controller is told of the disturbances: by port name [N, N m], and "f" for the load [N/m].
+    claims:    name of a set of claims that the run is to be held against.
+    """
+
+    plant: Plant
+    controller: Controller
+    disturbance: Disturbance
+    task: Task = field(default_factory=Task)
+    numerics: Numerics = field(default_factory=Numerics)
+    output: Output = field(default_factory=Output)
+    actuators: dict[str, tuple[Stage, ...]] = field(default_factory=dict)
+    bounds: dict[str, NonNegative] = field(default_factory=dict)
+    name: str = "unnamed"
+    title: str = ""
+    claims: str | None = None
+
+    def check(self) -> None:
+        names = [port.name for port in self.plant.ports]
+        for table, known in (("task.constraint", names), ("bounds", ["f", *names]), ("actuators", names)):
+            given: Mapping[str, object] = self.task.constraint if table == "task.constraint" else getattr(self, table)
+            for key in given:
+                if key not in known:
+                    raise ArgumentError(f"Argument `{table}.{key}` is not a port of this plant; known here: {', '.join(known)}.")
+        ratio = self.task.trial_duration / self.numerics.step
+        if abs(ratio - round(ratio)) > 1e-9 * ratio or round(ratio) < 1:
+            raise wrong("numerics.step", f"divide task.trial_duration = {self.task.trial_duration:g} s", self.numerics.step)
+        if self.steps % self.output.every:
+            raise wrong("output.every", f"divide the {self.steps} steps of a trial", self.output.every)
+        if self.controller.uses_barrier:
+            self._check_barrier(names)
+
+    def _check_barrier(self, names: list[str]) -> None:
+        start = self.plant.initial_ports()
+        for name, y in zip(names, start, strict=True):
+            limit = self.task.constraint.get(name)
+            if limit is None:
+                raise ArgumentError(f"Argument `task.constraint.{name}` must be given: the controller has a barrier there.")
+            if not abs(y) < limit:
+                raise wrong("plant.initial", f"put {name} inside its constraint, |y| < {limit:g}", y)
+        for key in ("f", *names):
+            if key not in self.bounds:
+                raise ArgumentError(f"Argument `bounds.{key}` must be given: the controller relies on it.")
+
+    @property
+    def steps(self) -> int:
+        """Steps in a trial."""
+        return round(self.task.trial_duration / self.numerics.step)
+
+    @property
+    def limits(self) -> np.ndarray:
+        """(ports,) constraint, inf where there is none."""
+        return np.array([self.task.constraint.get(port.name, np.inf) for port in self.plant.ports])
+
+    @property
+    def setting(self) -> Setting:
+        """What the controller is told."""
+        return Setting(self.plant.ports, self.steps, self.numerics.step, self.plant.span, self.limits, self.bounds)
+
+    def chain(self, index: int) -> tuple[Stage, ...]:
+        """All stages between the law and the force at a port: the controller's compensation, then the actuator."""
+        port = self.plant.ports[index]
+        return (*self.controller.compensation(port), *self.actuators.get(port.name, ()))
+
+    def with_controller(self, controller: Controller) -> Scenario:
+        """The same experiment under another controller."""
+        return replace(self, controller=controller)

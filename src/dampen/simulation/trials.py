@@ -1,0 +1,149 @@
+"""The trial axis: run trial after trial, let the controller learn in between, write everything down."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Mapping
+from typing import Any
+
+import numpy as np
+
+from dampen.controllers.base import PortLaw, Trial
+from dampen.simulation.closure import RELAXATION
+from dampen.simulation.kernel import Record
+from dampen.simulation.resolution import check_resolution
+from dampen.simulation.result import Layout, Result
+from dampen.simulation.scenario import Scenario
+from dampen.simulation.setup import Bench, compiled_kernel, compose, port_records
+from dampen.simulation.stores import MemoryStore, Store
+
+Array = np.ndarray
+Progress = Callable[[int, int], None]
+FINE, BROKEN = 0, 1
+
+
+def simulate(
+    scenario: Scenario,
+    *,
+    store: Store | None = None,
+    progress: Progress | None = None,
+    bench: Bench | None = None,
+    compile: bool = True,
+) -> Result:
+    """Run all trials of a scenario.
+
+    store:    where trials are written as they finish (default: memory).
+    progress: called with (trials finished, trials in all) after each trial.
+    bench:    a set-up to share with another run of the same plant, task and disturbance.
+    compile:  False runs the kernel as the plain Python that it is, about a thousand times slower.
+
+    An interrupt (KeyboardInterrupt) or a motion that stops being finite ends the run early: the result then has the trials
+    that were finished, and its `status` says "interrupted" or "diverged".
+    """
+    bench = bench or Bench(scenario)
+    warnings = check_resolution(scenario, bench.modes)
+    store = store or MemoryStore()
+    store.open(Layout.of(scenario, bench.x), warnings)
+    status, done = "complete", 0
+    try:
+        for record in trials(scenario, bench, compile):
+            store.write(done, record)
+            if record["status"] != FINE:
+                status = "diverged"
+                break
+            done += 1
+            if progress:
+                progress(done, scenario.task.trials)
+    except KeyboardInterrupt:
+        status = "interrupted"
+    return store.close(status, done)
+
+
+def trials(scenario: Scenario, bench: Bench, compile: bool = True) -> Iterator[dict[str, Any]]:
+    """The trials of a scenario, one after the other, each as the variables that the result keeps of it."""
+    ports, stages, classes = port_records(scenario, bench.step)
+    steps = tuple(cls.step for cls in classes)
+    kernel = compiled_kernel(steps) if compile else compose(steps)
+    q, rate = bench.initial_state()
+    setting, controller, every = scenario.setting, scenario.controller, scenario.output.every
+    memory = controller.begin(setting)
+    for j in range(scenario.task.trials):
+        law = controller.law(memory, setting)
+        check_law(law)
+        ports.damping, ports.barrier = law.damping, law.barrier
+        inputs = bench.inputs(j, law)
+        record = empty_record(scenario.steps, len(ports), len(q), every)
+        slow = ports.slow.copy()
+        done = kernel(bench.step, inputs, ports, stages, q, rate, every, record)
+        trial = Trial(j, record.y, record.v, record.command)
+        memory = controller.learn(memory, trial, setting)
+        yield {
+            **variables(scenario, bench, record, inputs.disturbance, slow, ports),
+            **memory,
+            "status": FINE if done == scenario.steps else BROKEN,
+        }
+
+
+def check_law(law: PortLaw) -> None:
+    """The closure has one solution only if nothing in the law pushes the wrong way."""
+    for name in ("coulomb", "damping", "barrier"):
+        value = getattr(law, name)
+        if not np.all(value >= 0):
+            raise ValueError(f"The controller's `{name}` must be >= 0 and finite, but its least value is {np.min(value):g}.")
+
+
+def empty_record(steps: int, ports: int, modes: int, every: int) -> Record:
+    def at_steps() -> Array:
+        return np.zeros((steps, ports))
+
+    snapshots = np.zeros((steps // every + 1, modes))
+    return Record(np.zeros((steps + 1, ports)), np.zeros(steps + 1), at_steps(), at_steps(), at_steps(), np.zeros(steps), snapshots)
+
+
+def variables(
+    scenario: Scenario, bench: Bench, record: Record, disturbance: Array, slow: Array, ports: Array
+) -> dict[str, Array]:
+    """What the result keeps of a trial: signals, the energy account, fields and peaks."""
+    moved = np.diff(record.y, axis=0)
+    fields = {name: record.q @ shapes.T for name, shapes in bench.shapes.items()}
+    peak = [max(np.abs(fields[f.name]).max(), *_port_peaks(record, bench, f.name)) for f in bench.modes.fields]
+    return {
+        "y": record.y,
+        "v": record.v,
+        "command": record.command,
+        "delivered": record.delivered,
+        "disturbance": disturbance,
+        "energy": record.energy,
+        "work_control": record.delivered * moved,
+        "work_actuator": (record.delivered - ports.gain * record.command) * moved,
+        "work_disturbance": disturbance * moved,
+        "work_load": record.work_load,
+        **barrier_account(record.y, ports),
+        **compliance_account(record.delivered, slow, ports, scenario.numerics.step),
+        **fields,
+        "peak": np.array(peak),
+    }
+
+
+def _port_peaks(record: Record, bench: Bench, field: str) -> list[float]:
+    """Port signals see every step, snapshots do not: a field's peak is taken over both."""
+    return [float(np.abs(record.y[:, p]).max()) for p, port in enumerate(bench.modes.ports) if port.field == field]
+
+
+def barrier_account(y: Array, ports: Array) -> dict[str, Array]:
+    """Energy of the barrier as the actuator's slope delivers it: gain alpha V(y), V = 1/4 ln^2(C^2 / (C^2 - y^2))."""
+    scaled = np.where(ports.barrier > 0, y / ports.limit, 0.0)
+    inside = np.abs(scaled) < 1
+    logarithm = -np.log1p(-np.where(inside, scaled, 0.0) ** 2)
+    stored = np.where(inside, ports.gain * ports.barrier * logarithm**2 / 4, np.inf if np.any(ports.barrier > 0) else 0.0)
+    return {"barrier_energy": stored.sum(axis=1)}
+
+
+def compliance_account(delivered: Array, slow: Array, ports: Array, dt: float) -> dict[str, Array]:
+    """Energy that the ports' numerical compliance stores, at times, and what it dissipates, at steps (see `closure`)."""
+    history = np.empty((len(delivered) + 1, delivered.shape[1]))
+    history[0] = slow
+    for k, force in enumerate(delivered):
+        history[k + 1] = history[k] + RELAXATION * (force - history[k])
+    stored = ports.soft * dt * history**2 / (2 * RELAXATION)
+    lost = ports.soft * dt * (1 - RELAXATION / 2) * (delivered - history[:-1]) ** 2
+    return {"compliance_energy": stored.sum(axis=1), "compliance_loss": lost.sum(axis=1)}
