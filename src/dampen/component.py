@@ -119,7 +119,7 @@ def parameters(cls: type) -> list[Parameter]:
     hints = get_type_hints(cls, include_extras=True)
     found = []
     for f in fields(cls):
-        base, extras = _split(hints[f.name])
+        base, extras = split_hint(hints[f.name])
         required = f.default is MISSING and f.default_factory is MISSING
         default = None if required else f.default if f.default is not MISSING else f.default_factory()  # type: ignore[misc]
         unit = next((e.unit for e in extras if isinstance(e, Unit)), "")
@@ -146,14 +146,14 @@ def _model(cls: type) -> type[BaseModel]:
     hints = get_type_hints(cls, include_extras=True)
     declared: dict[str, Any] = {}
     for f in fields(cls):
-        base, extras = _split(hints[f.name])
+        base, extras = split_hint(hints[f.name])
         bounds = {key: getattr(e, key) for e in extras for kind, key, _ in _BOUNDS if isinstance(e, kind)}
         base = pydantic.InstanceOf[base] if dataclasses.is_dataclass(base) else base
         declared[f.name] = (Annotated[base, pydantic.Field(**bounds)] if bounds else base, ...)
     return pydantic.create_model(cls.__name__, __config__=config, **declared)
 
 
-def _split(hint: Any) -> tuple[Any, tuple[Any, ...]]:
+def split_hint(hint: Any) -> tuple[Any, tuple[Any, ...]]:
     return (get_args(hint)[0], get_args(hint)[1:]) if get_origin(hint) is Annotated else (hint, ())
 
 
@@ -194,7 +194,7 @@ def _line(cls: type, values: dict[str, Any], error: Any) -> str:
     elif kind == "literal_error":
         must = f"be {context['expected']}"
     elif parameter and any(other in kind for other in ("union", "is_instance")):
-        must = f"be {parameter.type}{unit}"
+        must = f"be a {parameter.type}"
     else:
-        must = f"be {_TYPES.get(kind, error['msg'])}{unit}"
+        must = f"be {_TYPES.get(kind, error['msg'])}{f' in{unit}' if unit else ''}"
     return wrong(path, must, error["input"]).lines[0]

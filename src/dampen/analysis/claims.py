@@ -2,27 +2,34 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 
 @dataclass(frozen=True)
 class Claim:
-    """One row of a claims table. `holds` is what the numbers say, never what the source says."""
+    """One row of a claims table. `holds` is what the numbers say; None where the run is too short to say."""
 
     id: str
     statement: str
     criterion: str
     measured: str
-    holds: bool
+    holds: bool | None
 
     @property
     def verdict(self) -> str:
-        return "PASS" if self.holds else "FAIL"
+        return "n/a" if self.holds is None else "PASS" if self.holds else "FAIL"
 
 
-def verdict_sentence(claims: list[Claim]) -> str:
+def verdict_sentence(claims: Sequence[Claim]) -> str:
     """The outcome in one sentence."""
-    failed = [claim.id for claim in claims if not claim.holds]
-    if not failed:
-        return f"All {len(claims)} claims hold in this run."
-    return f"{len(claims) - len(failed)} of {len(claims)} claims hold in this run; {', '.join(failed)} {'does' if len(failed) == 1 else 'do'} not."
+    if not claims:
+        return "This run is held against no claims."
+    failed = [claim.id for claim in claims if claim.holds is False]
+    unknown = [claim.id for claim in claims if claim.holds is None]
+    sentence = f"{sum(claim.holds is True for claim in claims)} of {len(claims)} claims hold in this run"
+    if failed:
+        sentence += f"; {', '.join(failed)} {'does' if len(failed) == 1 else 'do'} not"
+    if unknown:
+        sentence += f"; the run is too short to judge {', '.join(unknown)}"
+    return sentence + "."

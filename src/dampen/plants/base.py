@@ -8,10 +8,9 @@ from dataclasses import dataclass
 from typing import Literal
 
 import numpy as np
-from numpy.polynomial.legendre import leggauss
-from scipy.linalg import cho_factor, cho_solve, eigh
 
 from dampen.component import Component, wrong
+from dampen.plants.gauss import gauss_legendre
 
 Array = np.ndarray
 Discretisation = Literal["spectral", "finite-difference"]
@@ -108,7 +107,7 @@ class Modes:
         """
         pieces = np.diff(self.breaks)
         waves = pieces.max() / shortest_wave + self.count / 2 / len(pieces)
-        nodes, weights = leggauss(int(np.ceil(np.pi * waves)) + 20)
+        nodes, weights = gauss_legendre(32 * int(np.ceil((np.pi * waves + 20) / 32)))
         x = (self.breaks[:-1, None] + pieces[:, None] * (nodes + 1) / 2).ravel()
         w = (pieces[:, None] * weights / 2).ravel()
         return x, w[:, None] * self.field(name).shapes(x)
@@ -151,6 +150,8 @@ def solve_modes(mass: Array, stiffness: Array, count: int) -> tuple[Array, Array
     Solved as M v = (1/omega^2) K v, whose largest eigenvalues are the lowest frequencies: those come out with relative
     errors near round-off, where the direct form loses the ratio of the highest to the lowest eigenvalue.
     """
+    from scipy.linalg import eigh
+
     size = len(mass)
     if count > size:
         raise wrong("modes", f"be <= {size}, the number of modes that this discretisation has", count)
@@ -161,6 +162,8 @@ def solve_modes(mass: Array, stiffness: Array, count: int) -> tuple[Array, Array
 
 def static_compliance(stiffness: Array, port_vectors: Array) -> Array:
     """(ports, ports) matrix of static port displacements per unit port force."""
+    from scipy.linalg import cho_factor, cho_solve
+
     return port_vectors.T @ cho_solve(cho_factor(stiffness), port_vectors)
 
 

@@ -10,7 +10,9 @@ from __future__ import annotations
 from abc import ABC, abstractmethod
 
 import numpy as np
-from numpy.polynomial.legendre import leggauss, legvander
+from numpy.polynomial.legendre import legvander
+
+from dampen.plants.gauss import gauss_legendre
 
 Array = np.ndarray
 
@@ -40,7 +42,7 @@ class Spectral(Space):
 
     def __init__(self, length: float, degree: int):
         self.length, self.degree = length, degree
-        s, weights = leggauss(degree + 2)
+        s, weights = gauss_legendre(degree + 2)
         x, weights = (s + 1) * length / 2, weights * length / 2
         value, slope = self.values(x), self._slopes(x)
         self.vv, self.dd, self.dv = ((a * weights[:, None]).T @ b for a, b in ((value, value), (slope, slope), (slope, value)))

@@ -49,7 +49,7 @@ def port_force(port, stages, v_free, g, dt):
     """
     h = g + port.soft
     w = v_free - port.soft * port.slow
-    if port.v_law != 0.0 and port.slope == 0.0 and still_slips(port, stages, v_free, g, w, h, dt):
+    if port.v_law != 0.0 and still_slips(port, stages, v_free, g, w, h, dt):
         return
     hold = -w / h
     port.middle = port.feedforward - barrier_force(port, v_free + g * hold, dt)
@@ -72,8 +72,8 @@ def port_force(port, stages, v_free, g, dt):
         command = slip_command(port, sign, w + h * x, v_free + g * x, dt)
         output = through(port, command, stages)
         r = output - x
-        contraction = abs(1 + (r - slip_r) / (x - slip))
-        if r == 0 or (contraction < 0.5 and abs(r) * contraction <= TOLERANCE * (abs(output) + abs(x))):
+        if abs(r) <= TOLERANCE * (abs(output) + abs(x)):
+            contraction = min(abs(1 + (over_r - slip_r) / (over - slip)), 1.0)
             settle(port, output, command, w + h * output, -contraction / (h * (1 + contraction)))
             return
         if (r > 0) == (slip_r > 0):
@@ -112,16 +112,24 @@ def still_sticks(port, stages, hold, h):
 
 
 def still_slips(port, stages, v_free, g, w, h, dt):
-    """Try the force that is already there, slipping in the direction of the last v_law."""
+    """Slip on in the direction of the last v_law: a secant from the force that is there, with the last slope to begin with."""
     x, sign = port.force, math.copysign(1.0, port.v_law)
-    command = slip_command(port, sign, w + h * x, v_free + g * x, dt)
-    output = through(port, command, stages)
-    contraction = -port.slope * h / (1 + port.slope * h)
-    miss = abs(output - x) * max(contraction, 1e-3)
-    if sign * (w + h * output) <= 0 or miss > TOLERANCE * (abs(output) + abs(x)):
-        return False
-    settle(port, output, command, w + h * output, port.slope)
-    return True
+    slope = -1 / (1 + port.slope * h) if port.slope * h > -0.5 else -1.0
+    x_before, r_before = x, 0.0
+    for iteration in range(5):
+        command = slip_command(port, sign, w + h * x, v_free + g * x, dt)
+        output = through(port, command, stages)
+        r = output - x
+        if abs(r) <= TOLERANCE * (abs(output) + abs(x)):
+            if sign * (w + h * output) <= 0:
+                return False
+            settle(port, output, command, w + h * output, min(0.0, 1 + slope) / (-slope * h))
+            return True
+        if iteration > 0:
+            slope = (r - r_before) / (x - x_before)
+        x_before, r_before = x, r
+        x -= r / slope
+    return False
 
 
 def slip_command(port, sign, v_law, v, dt):

@@ -41,8 +41,9 @@ class Step(NamedTuple):
 
         q+ = c11 q + c12 q' + psi a        q'+ = c21 q + c22 q' + c12 a
 
-    and what the ports see of it: y+ = b_q q + b_rate q' + dt G F under port forces F. `b`, `b_q`, `b_rate` are (ports, modes),
-    `g` is (ports, ports), `coupling` a scratch copy of it; `a`, `q_new`, `rate_new` are scratch (modes,).
+    and what the ports see of it, their mean velocity v = v_q q + v_rate q' + G F under port forces F. `b`, `v_q`, `v_rate` are
+    (ports, modes), `g` is (ports, ports), `coupling` a scratch copy of it; `a`, `q_new`, `rate_new` are scratch (modes,),
+    `zero` is (modes,) zeros.
     """
 
     dt: float
@@ -53,8 +54,8 @@ class Step(NamedTuple):
     psi: Array
     omega2: Array
     b: Array
-    b_q: Array
-    b_rate: Array
+    v_q: Array
+    v_rate: Array
     g: Array
     coupling: Array
     a: Array
@@ -65,7 +66,7 @@ class Step(NamedTuple):
 
 class Inputs(NamedTuple):
     """What one trial is given, held over each step: feedforward, coulomb and disturbance at the ports (steps, ports), the
-    modal load (steps, modes), and the displacement of the ports by disturbance and load within a step (steps, ports)."""
+    modal load (steps, modes), and the mean velocity that disturbance and load give the ports in a step (steps, ports)."""
 
     feedforward: Array
     coulomb: Array
@@ -75,10 +76,11 @@ class Inputs(NamedTuple):
 
 
 class Record(NamedTuple):
-    """What a trial leaves: y (steps + 1, ports) and energy (steps + 1,) on times; v, command, delivered (steps, ports) and
-    work_load (steps,) on steps; q at every `every`-th time, (times, modes)."""
+    """What a trial leaves: y, slow (steps + 1, ports) and energy (steps + 1,) on times; v, command, delivered (steps, ports)
+    and work_load (steps,) on steps; q at every `every`-th time, (times, modes)."""
 
     y: Array
+    slow: Array
     energy: Array
     v: Array
     command: Array
@@ -97,6 +99,7 @@ def run_trial(step, inputs, ports, stages, q, rate, every, record):
     for p in range(n):
         ports[p].y = dot(step.b[p], q, step.b[p], step.zero)
         record.y[0, p] = ports[p].y
+        record.slow[0, p] = ports[p].slow
         if abs(ports[p].y) < EDGE * ports[p].limit:
             ports[p].log_y = log_ratio(ports[p].y, ports[p].limit)
     record.energy[0] = energy_of(q, rate, step.omega2)
@@ -105,8 +108,7 @@ def run_trial(step, inputs, ports, stages, q, rate, every, record):
         # free motion: where the ports go under all that is known as the step begins
         for p in range(n):
             port = ports[p]
-            y_free = dot(step.b_q[p], q, step.b_rate[p], rate) + inputs.drift[k, p]
-            port.v_free = (y_free - port.y) / dt
+            port.v_free = dot(step.v_q[p], q, step.v_rate[p], rate) + inputs.drift[k, p]
             port.feedforward = inputs.feedforward[k, p]
             port.coulomb = inputs.coulomb[k, p]
 
@@ -129,6 +131,7 @@ def run_trial(step, inputs, ports, stages, q, rate, every, record):
             port.y = y_new
             port.slow += RELAXATION * (port.force - port.slow)
             record.y[k + 1, p] = port.y
+            record.slow[k + 1, p] = port.slow
             record.v[k, p] = port.v_law
             record.command[k, p] = port.command
             record.delivered[k, p] = port.force

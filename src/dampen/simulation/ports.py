@@ -26,8 +26,12 @@ def close_ports(ports, stages, g, coupling, dt):
             for r in range(p + 1, n):
                 ports[p].force += ports[p].slope * coupling[p, r] * (ports[r].force - ports[r].guess)
         for p in range(n - 1):
-            v_others = velocity(p, ports, g) - g[p, p] * ports[p].force
+            predicted = ports[p].force
+            v_others = velocity(p, ports, g) - g[p, p] * predicted
             settled &= confirm(ports[p], stages, v_others, g[p, p], dt)
+            for r in range(n):
+                moved = abs(g[r, p] * (ports[p].force - predicted))
+                settled &= r == p or moved <= SETTLED * g[r, r] * (abs(ports[r].force) + abs(predicted))
         if settled or unmoved(ports):
             return
 

@@ -7,7 +7,7 @@ from dataclasses import dataclass, field, replace
 from typing import Annotated, Literal
 
 import numpy as np
-from annotated_types import Ge, Gt, Unit
+from annotated_types import Ge, Gt, Le, Unit
 from typing_extensions import Doc
 
 from dampen.component import ArgumentError, Component, wrong
@@ -18,6 +18,7 @@ from dampen.stage import Stage
 
 Positive = Annotated[float, Gt(0)]
 NonNegative = Annotated[float, Ge(0)]
+LARGEST_TRIAL = 4.0
 
 
 @dataclass(frozen=True)
@@ -37,8 +38,8 @@ class Numerics(Component):
     """How the experiment is computed."""
 
     discretisation: Annotated[Discretisation, Doc("in space")] = "spectral"
-    modes: Annotated[int, Ge(1), Doc("number of modes kept")] = 80
-    points: Annotated[int, Ge(3), Doc("grid points of the finite-difference grid, clamp included")] = 51
+    modes: Annotated[int, Ge(1), Le(1000), Doc("number of modes kept")] = 80
+    points: Annotated[int, Ge(3), Le(3000), Doc("grid points of the finite-difference grid, clamp included")] = 51
     step: Annotated[float, Gt(0), Unit("s"), Doc("time step; must divide the trial's duration")] = 0.001
     mode: Annotated[Literal["continuous"], Doc("the law acts continuously in time")] = "continuous"
 
@@ -70,7 +71,7 @@ class Scenario(Component):
     bounds: dict[str, NonNegative] = field(default_factory=dict)
     name: str = "unnamed"
     title: str = ""
-    claims: str | None = None
+    claims: Literal["he2017"] | None = None
 
     def check(self) -> None:
         names = [port.name for port in self.plant.ports]
@@ -82,6 +83,9 @@ class Scenario(Component):
         ratio = self.task.trial_duration / self.numerics.step
         if abs(ratio - round(ratio)) > 1e-9 * ratio or round(ratio) < 1:
             raise wrong("numerics.step", f"divide task.trial_duration = {self.task.trial_duration:g} s", self.numerics.step)
+        size = self.steps * (self.numerics.modes + 60) * 8 / 2**30
+        if size > LARGEST_TRIAL:
+            raise wrong("numerics.step", f"be larger: a trial of {self.steps} steps would need {size:.3g} GiB", self.numerics.step)
         if self.steps % self.output.every:
             raise wrong("output.every", f"divide the {self.steps} steps of a trial", self.output.every)
         if self.controller.uses_barrier:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from functools import cache, cached_property
 from typing import Any
 
@@ -31,12 +31,23 @@ class Bench:
         self.step = exact_step(self.modes, numerics.step)
         self.midpoints = (np.arange(scenario.steps) + 0.5) * numerics.step
         self.x = output_points(scenario)
+        self._stages: list[type[Stage]] = []
         self._loads: dict[int, tuple[Array, Array, Array]] = {}
 
     @cached_property
     def shapes(self) -> dict[str, Array]:
         """(points, modes) shapes at the output points, for each field."""
         return {field.name: field.shapes(self.x) for field in self.modes.fields}
+
+    def kernel(self, scenario: Scenario, compile: bool = True) -> tuple[Any, Sequence[type[Stage]]]:
+        """The kernel with the stages that this scenario, or another one on this bench, needs; and their classes, by code.
+
+        A second scenario adds only what the first did not have, so that the run without control needs no kernel of its own.
+        """
+        for p in range(len(scenario.plant.ports)):
+            self._stages += [cls for cls in map(type, scenario.chain(p)) if cls not in self._stages]
+        steps = tuple(cls.step for cls in self._stages)
+        return compiled_kernel(steps) if compile else compose(steps), self._stages
 
     def initial_state(self) -> tuple[Array, Array]:
         q, rate = self.scenario.plant.initial_state(self.modes)
@@ -48,14 +59,14 @@ class Bench:
         return Inputs(np.ascontiguousarray(law.feedforward), np.ascontiguousarray(law.coulomb), disturbance, load, drift)
 
     def shaking(self, trial: int) -> tuple[Array, Array, Array]:
-        """Disturbance (steps, ports), modal load (steps, modes) and the drift of the ports under both; kept while it fits."""
+        """Disturbance (steps, ports), modal load (steps, modes), drift of the ports under both, (steps, ports) in m/s; kept
+        while it fits."""
         source = self.scenario.disturbance
         key = source.same_as(trial)
         if key not in self._loads:
-            ports, dt = self.modes.ports, self.step.dt
-            disturbance = np.ascontiguousarray(source.at_ports(key, self.midpoints, ports))
+            disturbance = np.ascontiguousarray(source.at_ports(key, self.midpoints, self.modes.ports))
             load = aligned(self._modal_load(key))
-            drift = load @ (self.modes.b * self.step.psi).T + dt * disturbance @ self.step.g
+            drift = load @ (self.modes.b * self.step.psi).T / self.step.dt + disturbance @ self.step.g
             if (len(self._loads) + 1) * load.nbytes > LOADS_KEPT:
                 self._loads.clear()
             self._loads[key] = disturbance, load, drift
@@ -81,15 +92,14 @@ def exact_step(modes: Modes, dt: float) -> Step:
     cosine, sine = np.cos(omega * dt), np.sin(omega * dt)
     c12 = sine / omega
     psi = 2 * (np.sin(omega * dt / 2) / omega) ** 2
-    g = (b * psi) @ b.T / dt
-    rows = (cosine, c12, -omega * sine, cosine, psi, omega**2, b, b * cosine, b * c12, g, g, *[np.zeros_like(omega)] * 4)
+    v_q, v_rate, g = -b * psi * omega**2 / dt, b * c12 / dt, (b * psi) @ b.T / dt
+    rows = (cosine, c12, -omega * sine, cosine, psi, omega**2, b, v_q, v_rate, g, g, *[np.zeros_like(omega)] * 4)
     return Step(dt, *(aligned(row) for row in rows))
 
 
-def port_records(scenario: Scenario, step: Step) -> tuple[Array, Array, list[type[Stage]]]:
-    """The records of all ports and stages as trial 0 begins, and the stage classes that the codes stand for."""
+def port_records(scenario: Scenario, step: Step, classes: Sequence[type[Stage]]) -> tuple[Array, Array]:
+    """The records of all ports and stages as trial 0 begins; a stage's code is the place of its class among `classes`."""
     chains = [scenario.chain(p) for p in range(len(scenario.plant.ports))]
-    classes = list(dict.fromkeys(type(stage) for chain in chains for stage in chain))
     ports = np.zeros(len(chains), PORT).view(np.recarray)
     stages = np.zeros(max(1, sum(map(len, chains))), STAGE).view(np.recarray)
     ports.soft, ports.limit, ports.gain = SOFTNESS * np.diag(step.g), scenario.limits, 1.0
@@ -104,7 +114,7 @@ def port_records(scenario: Scenario, step: Step) -> tuple[Array, Array, list[typ
             stages[s].parameters[: len(row)] = row
             port.gain *= stage.gain
             s += 1
-    return ports, stages, classes
+    return ports, stages
 
 
 def compose(steps: tuple[Callable[..., float], ...]) -> Callable[..., int]:

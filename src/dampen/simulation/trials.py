@@ -2,18 +2,19 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterator
 from typing import Any
 
 import numpy as np
 
+from dampen.component import ArgumentError
 from dampen.controllers.base import PortLaw, Trial
 from dampen.simulation.closure import RELAXATION
 from dampen.simulation.kernel import Record
 from dampen.simulation.resolution import check_resolution
 from dampen.simulation.result import Layout, Result
 from dampen.simulation.scenario import Scenario
-from dampen.simulation.setup import Bench, compiled_kernel, compose, port_records
+from dampen.simulation.setup import Bench, port_records
 from dampen.simulation.stores import MemoryStore, Store
 
 Array = np.ndarray
@@ -60,9 +61,8 @@ def simulate(
 
 def trials(scenario: Scenario, bench: Bench, compile: bool = True) -> Iterator[dict[str, Any]]:
     """The trials of a scenario, one after the other, each as the variables that the result keeps of it."""
-    ports, stages, classes = port_records(scenario, bench.step)
-    steps = tuple(cls.step for cls in classes)
-    kernel = compiled_kernel(steps) if compile else compose(steps)
+    kernel, classes = bench.kernel(scenario, compile)
+    ports, stages = port_records(scenario, bench.step, classes)
     q, rate = bench.initial_state()
     setting, controller, every = scenario.setting, scenario.controller, scenario.output.every
     memory = controller.begin(setting)
@@ -72,12 +72,11 @@ def trials(scenario: Scenario, bench: Bench, compile: bool = True) -> Iterator[d
         ports.damping, ports.barrier = law.damping, law.barrier
         inputs = bench.inputs(j, law)
         record = empty_record(scenario.steps, len(ports), len(q), every)
-        slow = ports.slow.copy()
         done = kernel(bench.step, inputs, ports, stages, q, rate, every, record)
         trial = Trial(j, record.y, record.v, record.command)
         memory = controller.learn(memory, trial, setting)
         yield {
-            **variables(scenario, bench, record, inputs.disturbance, slow, ports),
+            **variables(scenario, bench, record, inputs.disturbance, ports),
             **memory,
             "status": FINE if done == scenario.steps else BROKEN,
         }
@@ -88,20 +87,17 @@ def check_law(law: PortLaw) -> None:
     for name in ("coulomb", "damping", "barrier"):
         value = getattr(law, name)
         if not np.all(value >= 0):
-            raise ValueError(f"The controller's `{name}` must be >= 0 and finite, but its least value is {np.min(value):g}.")
+            raise ArgumentError(f"The controller's `{name}` must be >= 0, but its least value is {np.min(value):g}.")
 
 
 def empty_record(steps: int, ports: int, modes: int, every: int) -> Record:
-    def at_steps() -> Array:
-        return np.zeros((steps, ports))
+    """Arrays for the kernel to fill."""
+    on_times, on_steps = (steps + 1, ports), (steps, ports)
+    shapes = (on_times, on_times, (steps + 1,), on_steps, on_steps, on_steps, (steps,), (steps // every + 1, modes))
+    return Record(*map(np.zeros, shapes))
 
-    snapshots = np.zeros((steps // every + 1, modes))
-    return Record(np.zeros((steps + 1, ports)), np.zeros(steps + 1), at_steps(), at_steps(), at_steps(), np.zeros(steps), snapshots)
 
-
-def variables(
-    scenario: Scenario, bench: Bench, record: Record, disturbance: Array, slow: Array, ports: Array
-) -> dict[str, Array]:
+def variables(scenario: Scenario, bench: Bench, record: Record, disturbance: Array, ports: Array) -> dict[str, Array]:
     """What the result keeps of a trial: signals, the energy account, fields and peaks."""
     moved = np.diff(record.y, axis=0)
     fields = {name: record.q @ shapes.T for name, shapes in bench.shapes.items()}
@@ -118,7 +114,7 @@ def variables(
         "work_disturbance": disturbance * moved,
         "work_load": record.work_load,
         **barrier_account(record.y, ports),
-        **compliance_account(record.delivered, slow, ports, scenario.numerics.step),
+        **compliance_account(record, ports, scenario.numerics.step),
         **fields,
         "peak": np.array(peak),
     }
@@ -138,12 +134,8 @@ def barrier_account(y: Array, ports: Array) -> dict[str, Array]:
     return {"barrier_energy": stored.sum(axis=1)}
 
 
-def compliance_account(delivered: Array, slow: Array, ports: Array, dt: float) -> dict[str, Array]:
+def compliance_account(record: Record, ports: Array, dt: float) -> dict[str, Array]:
     """Energy that the ports' numerical compliance stores, at times, and what it dissipates, at steps (see `closure`)."""
-    history = np.empty((len(delivered) + 1, delivered.shape[1]))
-    history[0] = slow
-    for k, force in enumerate(delivered):
-        history[k + 1] = history[k] + RELAXATION * (force - history[k])
-    stored = ports.soft * dt * history**2 / (2 * RELAXATION)
-    lost = ports.soft * dt * (1 - RELAXATION / 2) * (delivered - history[:-1]) ** 2
+    stored = ports.soft * dt * record.slow**2 / (2 * RELAXATION)
+    lost = ports.soft * dt * (1 - RELAXATION / 2) * (record.delivered - record.slow[:-1]) ** 2
     return {"compliance_energy": stored.sum(axis=1), "compliance_loss": lost.sum(axis=1)}

@@ -18,3 +18,8 @@ FIGURES = (
     FigurePlan("fig15", "delivered", "tip_w", "delivered force B(u_0)"),
     FigurePlan("fig16", "delivered", "tip_phi", "delivered torque B(tau_0)"),
 )
+
+NOTE = (
+    "The paper's gains are lost but for alpha_9 = 0.1: those used here are ours, and so are the amplitude of the load (1/20, by "
+    "analogy) and B = 0 before trial 0."
+)

@@ -1,0 +1,36 @@
+"""Figures of merit of a run, trial by trial, so that a result of any length can be read from its file."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from dampen.simulation.result import Result
+
+Array = np.ndarray
+
+
+def peaks(result: Result, field: str) -> Array:
+    """(trials,) largest |field|: over snapshots everywhere, over the ports at every step."""
+    index = list(result.layout.coordinates["field"][1]).index(field)
+    return np.asarray(result["peak"][: result.trials])[:, index]
+
+
+def field_rms(result: Result, field: str, trial: int) -> float:
+    """Root mean square of a field over the structure and the trial."""
+    return float(np.sqrt(np.mean(np.square(np.asarray(result[field][trial], float)))))
+
+
+def port_index(result: Result, port: str) -> int:
+    """Place of a port among the result's ports."""
+    return list(result.layout.coordinates["port"][1]).index(port)
+
+
+def largest(result: Result, name: str, port: str | None = None) -> Array:
+    """(trials,) largest absolute value of a variable in each trial, at one port or over all."""
+    column = (Ellipsis,) if port is None else (Ellipsis, port_index(result, port))
+    return np.array([np.max(np.abs(np.asarray(result[name][j])[column])) for j in range(result.trials)])
+
+
+def port_rms(result: Result, port: str, trial: int) -> float:
+    """Root mean square of a port's displacement over a trial."""
+    return float(np.sqrt(np.mean(np.square(np.asarray(result["y"][trial])[:, port_index(result, port)]))))

@@ -1,0 +1,209 @@
+"""The command line: arguments in, functions called, messages out."""
+
+from __future__ import annotations
+
+import sys
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated
+
+import typer
+from rich.console import Console
+
+from dampen.component import ArgumentError
+
+if TYPE_CHECKING:
+    from dampen.simulation.result import Result
+    from dampen.simulation.scenario import Scenario
+    from dampen.simulation.setup import Bench
+
+COMPLETED, BAD_INPUT, BROKE_OFF = 0, 2, 3
+
+app = typer.Typer(
+    no_args_is_help=True,
+    add_completion=False,
+    rich_markup_mode=None,
+    context_settings={"help_option_names": ["-h", "--help"]},
+    help="Design, simulate and check boundary control and iterative learning control of vibrating structures.\n\n"
+    "Begin with `dampen run he2017`: the experiment of He et al. 2017, with and without control, its figures and a verdict on "
+    "each of its claims. Then `dampen show he2017 > mine.toml`, change it, and `dampen run mine.toml`.",
+)
+out, err = Console(soft_wrap=True, highlight=False), Console(stderr=True, soft_wrap=True, highlight=False)
+
+ScenarioArgument = Annotated[str, typer.Argument(help="a shipped scenario (see `dampen list`) or the path of a TOML file")]
+
+
+@app.callback(invoke_without_command=True)
+def version(show: Annotated[bool, typer.Option("--version", help="Show the version and exit.")] = False) -> None:
+    """Only carries --version."""
+    if show:
+        from dampen.version import version as installed
+
+        out.print(f"dampen {installed()}")
+        raise typer.Exit
+
+
+@app.command(
+    help="Run a scenario with and without control; write results, figures and a report.\n\n"
+    "Examples:\n\n  dampen run he2017\n\n  dampen run he2017 --set controller.alpha_8=0.5 --set task.trials=50\n\n"
+    "  dampen run he2017 --set controller.compensate=false --out direct\n\n"
+    "Exit status: 0 when the run completed, whatever the claims say; 2 for bad input; 3 when the run broke off, with what it "
+    "has saved."
+)
+def run(
+    scenario: ScenarioArgument,
+    set_: Annotated[list[str] | None, typer.Option("--set", metavar="KEY=VALUE", help="change a value, e.g. plant.tip_mass=0.2")] = None,
+    folder: Annotated[Path | None, typer.Option("--out", metavar="DIR", help="where to write (default: a new folder in runs/)")] = None,
+    report: Annotated[bool, typer.Option("--report/--no-report", help="figures and report.html")] = True,
+) -> None:
+    from dampen.scenarios.claims import check_claims, figure_plan, note
+    from dampen.scenarios.read import read_scenario
+
+    experiment = read_scenario(scenario, set_ or ())
+    folder = make_folder(folder, experiment.name)
+    result, baseline = run_both(experiment, folder)
+    for line in result.warnings:
+        err.print(f"Note: {line}")
+    claims = check_claims(result, baseline)
+    if report and result.trials:
+        from dampen.report import write_report
+
+        with working("Drawing figures"):
+            write_report(folder, result, baseline, claims, figure_plan(result), note(result))
+    show_outcome(result, claims, note(result), folder)
+    if result.status != "complete" or (baseline is not None and baseline.status != "complete"):
+        raise typer.Exit(BROKE_OFF)
+
+
+@app.command("list", help="List the shipped scenarios, and every kind with its parameters, units and defaults.")
+def list_() -> None:
+    from dampen.listing import listing
+
+    out.print(listing(), markup=False)
+
+
+@app.command(help="Print a scenario file, to copy: `dampen show he2017 > mine.toml`.")
+def show(scenario: ScenarioArgument) -> None:
+    from dampen.scenarios.read import source_text
+
+    sys.stdout.write(source_text(scenario))
+
+
+def main() -> None:
+    """Entry point: bad input is one clear line and exit status 2."""
+    try:
+        status = app(standalone_mode=False) or COMPLETED
+    except ArgumentError as error:
+        status = complain(error.lines)
+    except (typer.Abort, KeyboardInterrupt):
+        status = BROKE_OFF
+    except BrokenPipeError:
+        sys.stderr.close()
+        status = COMPLETED
+    except Exception as error:
+        if not hasattr(error, "format_message"):  # usage errors, whose class typer keeps to itself
+            raise
+        status = complain([error.format_message()])
+    sys.exit(status)
+
+
+def complain(lines: list[str]) -> int:
+    for line in lines:
+        err.print(line, markup=False)
+    return BAD_INPUT
+
+
+def make_folder(folder: Path | None, name: str) -> Path:
+    """The output folder: the one asked for, or the first of runs/NAME, runs/NAME-2, ... that does not exist yet."""
+    if folder is None:
+        number = 1
+        while (folder := Path("runs") / (name if number == 1 else f"{name}-{number}")).exists():
+            number += 1
+    try:
+        folder.mkdir(parents=True, exist_ok=True)
+        probe = folder / ".dampen"
+        probe.touch()
+        probe.unlink()
+    except OSError as error:
+        raise ArgumentError(f"Output folder `{folder}` cannot be written: {error.strerror}.") from None
+    return folder
+
+
+def run_both(scenario: Scenario, folder: Path) -> tuple[Result, Result | None]:
+    """The run under the scenario's controller and, beside it, the one without control; both into files as they go."""
+    from dampen.controllers.none import NoControl
+    from dampen.simulation.setup import Bench
+    from dampen.simulation.stores import FileStore
+    from dampen.simulation.trials import simulate
+    from dampen.toml import to_toml
+
+    bench = Bench(scenario)
+    (folder / "scenario.toml").write_text(to_toml(scenario), encoding="utf-8")
+    compile_ahead(scenario, bench)
+    controlled = not isinstance(scenario.controller, NoControl)
+    with trial_bar(scenario.task.trials * (1 + controlled)) as advance:
+        result = simulate(scenario, store=FileStore(folder / "result.nc"), progress=advance, bench=bench)
+        if not controlled or result.status == "interrupted":
+            return result, None if controlled else result
+        uncontrolled = scenario.with_controller(NoControl())
+        baseline = simulate(uncontrolled, store=FileStore(folder / "uncontrolled.nc"), progress=advance, bench=bench)
+    return result, baseline
+
+
+def compile_ahead(scenario: Scenario, bench: Bench) -> None:
+    """Say so before the wait: the first run on a machine compiles the kernel."""
+    from dampen.simulation.setup import is_ready
+
+    kernel, _ = bench.kernel(scenario)
+    if not is_ready(kernel):
+        err.print("Compiling the simulation kernel; this happens once and takes about ten seconds.")
+
+
+@contextmanager
+def trial_bar(total: int) -> Iterator[Callable[[int, int], None]]:
+    """A progress line over trials; quiet in a pipe."""
+    from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeRemainingColumn
+
+    columns = (TextColumn("Trials"), BarColumn(), MofNCompleteColumn(), TimeRemainingColumn())
+    with Progress(*columns, console=err, transient=True, disable=not err.is_terminal) as bar:
+        task = bar.add_task("trials", total=total)
+        yield lambda done, trials: bar.advance(task)
+
+
+@contextmanager
+def working(what: str) -> Iterator[None]:
+    """A line while something takes a while; quiet in a pipe."""
+    if err.is_terminal:
+        with err.status(f"{what} ..."):
+            yield
+    else:
+        yield
+
+
+def show_outcome(result: Result, claims: list, note: str, folder: Path) -> None:  # type: ignore[type-arg]
+    """One table, one sentence of verdict, and where everything is."""
+    from rich import box
+    from rich.table import Table
+
+    from dampen.analysis.claims import verdict_sentence
+
+    if result.status != "complete":
+        err.print(f"The run broke off ({result.status}) after {result.trials} of {result.scenario.task.trials} trials.")
+    if claims:
+        table = Table(box=box.SIMPLE_HEAD, pad_edge=False)
+        for heading in ("", "Claim", "Measured", "Verdict"):
+            table.add_column(heading, overflow="fold")
+        colours = {"PASS": "green", "FAIL": "bold red", "n/a": "dim"}
+        for claim in claims:
+            table.add_row(claim.id, claim.statement, claim.measured, f"[{colours[claim.verdict]}]{claim.verdict}[/]")
+        Console(highlight=False, width=None if out.is_terminal else 140).print(table)
+        out.print(verdict_sentence(claims))
+    if note:
+        out.print(note, style="dim")
+    page = folder / "report.html"
+    out.print(f"Report: {page}" if page.exists() else f"Results: {folder / 'result.nc'}")
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,63 @@
+"""How a plant's ports and fields are called on axes and in sentences."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from dampen.report.style import plain_number, symbol
+from dampen.simulation.result import Result
+
+
+@dataclass(frozen=True)
+class PortNames:
+    """A port in words. index: its place in the result's arrays.   motion, effort: units.
+
+    words:  "tip displacement".   math, text: its symbol as mathtext and in plain text, "w(L, t)", or what replaces it.
+    """
+
+    index: int
+    words: str
+    math: str
+    text: str
+    motion: str
+    effort: str
+    effort_words: str
+
+    @property
+    def label(self) -> str:
+        return f"{self.words} {self.math} [{self.motion}]".replace("  ", " ")
+
+
+def port_names(run: Result, name: str) -> PortNames:
+    """The port `name` of the run's plant."""
+    ports = run.scenario.plant.ports
+    index = next((i for i, port in enumerate(ports) if port.name == name), None)
+    if index is None:
+        raise ValueError(f"Argument `of` must be a port of this plant ({', '.join(p.name for p in ports)}), but is {name!r}.")
+    port = ports[index]
+    coordinates = run.layout.coordinates
+    motion, effort = str(coordinates["motion_unit"][1][index]), str(coordinates["effort_unit"][1][index])
+    kind = "rotation" if motion == "rad" else "displacement"
+    effort_words = "delivered torque" if effort == "N m" else "delivered force"
+    if port.field not in [field for field, _ in run.scenario.plant.fields]:
+        return PortNames(index, f"{kind} at {name}", "", f"{kind} at {name}", motion, effort, effort_words)
+    at_tip = port.x == run.scenario.plant.span
+    place = "L, t" if at_tip else rf"{plain_number(port.x)}\,\mathrm{{m}}, t"
+    text = f"{port.field}({'L' if at_tip else plain_number(port.x) + ' m'}, t)"
+    words = f"tip {kind}" if at_tip else kind
+    return PortNames(index, words, symbol(port.field, place), text, motion, effort, effort_words)
+
+
+def field_unit(run: Result, name: str) -> str:
+    """The unit of the field `name`."""
+    fields = dict(run.scenario.plant.fields)
+    if name not in fields:
+        raise ValueError(f"Argument `of` must be a field of this plant ({', '.join(fields)}), but is {name!r}.")
+    return str(fields[name])
+
+
+def trend(first: float, last: float) -> str:
+    """The verb for what happened between two values."""
+    if last < 0.95 * first:
+        return "falls"
+    return "rises" if last > 1.05 * first else "stays"

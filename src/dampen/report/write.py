@@ -1,0 +1,37 @@
+"""The face of this room: everything that a run leaves for people to read."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from pathlib import Path
+
+from dampen.analysis.claims import Claim
+from dampen.report.figures import Job, Progress, default_plan, draw_jobs, jobs_of
+from dampen.report.page import write_page
+from dampen.scenarios.figures import FigurePlan
+from dampen.simulation.result import Result
+
+
+def write_report(
+    folder: Path,
+    result: Result,
+    baseline: Result | None,
+    claims: list[Claim],
+    plan: Sequence[FigurePlan] | None,
+    note: str = "",
+    progress: Progress | None = None,
+) -> Path:
+    """Write folder/figures/*.png and *.svg and folder/report.html; returns the path of the page.
+
+    baseline: the same experiment without control, if it was run.
+    plan:     the figures to draw; None or empty: every field, port and delivered force.
+    note:     a sentence about the gains, printed below their table.
+    progress: called with (figures drawn, figures in all) after each figure.
+    """
+    folder = Path(folder)
+    jobs = jobs_of(plan or default_plan(result), result, baseline)
+    if result.trials:
+        other = baseline if baseline is not None and baseline.trials else None
+        jobs.append(Job("energy", "Energy of the structure and of the barrier", "energy", "", result, other))
+    drawn = draw_jobs(jobs, folder / "figures", progress=progress)
+    return write_page(folder / "report.html", result, baseline, claims, drawn, note)

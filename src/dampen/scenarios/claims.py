@@ -1,0 +1,28 @@
+"""From a scenario's `claims` key to the claims themselves."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from dampen.analysis.claims import Claim
+from dampen.scenarios.figures import FigurePlan
+from dampen.scenarios.he2017.claims import he2017_claims
+from dampen.scenarios.he2017.figures import FIGURES, NOTE
+from dampen.simulation.result import Result
+
+
+def check_claims(result: Result, baseline: Result | None) -> list[Claim]:
+    """The rows of the claims that the scenario names, measured on this run; `baseline` is the run without control."""
+    if result.scenario.claims != "he2017" or baseline is None or not result.trials or not baseline.trials:
+        return []
+    return he2017_claims(result, baseline)
+
+
+def figure_plan(result: Result) -> Sequence[FigurePlan] | None:
+    """The figures that belong to the claims; None for a scenario without."""
+    return FIGURES if result.scenario.claims == "he2017" else None
+
+
+def note(result: Result) -> str:
+    """What a reader of the results must know beforehand."""
+    return NOTE if result.scenario.claims == "he2017" else ""

@@ -1,0 +1,189 @@
+"""Scenario files: strict TOML in, objects out, every fault reported in one line with its path."""
+
+from __future__ import annotations
+
+import re
+import tomllib
+from collections.abc import Mapping, Sequence
+from dataclasses import fields
+from importlib import resources
+from pathlib import Path
+from typing import Any, get_type_hints
+
+from dampen.component import ArgumentError, Component, split_hint, shown, suggestion, wrong
+from dampen.controllers.none import NoControl
+from dampen.disturbances.none import NoDisturbance
+from dampen.scenarios.kinds import KINDS, find_kind
+from dampen.simulation.scenario import Numerics, Output, Scenario, Task
+from dampen.stage import Stage
+
+Table = dict[str, Any]
+TABLES = {"task": Task, "numerics": Numerics, "output": Output}
+TOP = ("name", "title", "claims", "plant", "disturbance", "actuator", "controller", "bounds", *TABLES)
+BARE_WORD = re.compile(r"[A-Za-z][\w:.-]*")
+
+
+def shipped() -> dict[str, Path]:
+    """The scenarios that come with the package, by name."""
+    root = Path(str(resources.files("dampen.scenarios")))
+    return {path.parent.name: path for path in sorted(root.glob("*/scenario.toml"))}
+
+
+def read_scenario(source: str | Path, overrides: Sequence[str] = ()) -> Scenario:
+    """A shipped scenario by name, or a TOML file by path, with `key=value` overrides such as "controller.alpha_8=0.5".
+
+    Values are TOML values; a bare word is taken as a string. Setting a table's `kind` starts that table afresh from the
+    defaults of the new kind. Raises ArgumentError, one line for every fault.
+    """
+    return build(override(parse(source_text(source), str(source)), overrides))
+
+
+def source_text(source: str | Path) -> str:
+    """The text of a shipped scenario or of a file."""
+    path = shipped().get(str(source), Path(source))
+    if not path.exists() and path.suffix != ".toml" and len(path.parts) == 1:
+        known = shipped()
+        raise ArgumentError(f"Scenario `{source}` is neither a shipped scenario nor a file{suggestion(str(source), known)}")
+    try:
+        return path.read_text(encoding="utf-8")
+    except (OSError, UnicodeDecodeError) as error:
+        reason = error.strerror if isinstance(error, OSError) else "not UTF-8 text"
+        raise ArgumentError(f"Scenario file `{source}` cannot be read: {reason}.") from None
+
+
+def parse(text: str, name: str) -> Table:
+    """TOML text as nested tables."""
+    try:
+        return tomllib.loads(text)
+    except tomllib.TOMLDecodeError as error:
+        raise ArgumentError(f"Scenario file `{name}` is not valid TOML: {error}.") from None
+
+
+def override(table: Table, settings: Sequence[str]) -> Table:
+    """`table` with every `path.to.key=value` set; kinds first, since they start their table afresh."""
+    pairs = []
+    for setting in settings:
+        path, equals, text = setting.partition("=")
+        if not equals or not path.strip():
+            raise ArgumentError(f"Option `--set` must look like table.key=value, but is {setting!r}.")
+        pairs.append((path.strip().split("."), _value(path.strip(), text.strip())))
+    for keys, value in sorted(pairs, key=lambda pair: pair[0][-1] != "kind"):
+        target: Any = table
+        for key in keys[:-1]:
+            target = _inside(target, key, keys)
+        if isinstance(target, list):
+            target[_index(target, keys[-1], keys)] = value
+            continue
+        if keys[-1] == "kind":
+            target.clear()
+        target[keys[-1]] = value
+    return table
+
+
+def _value(path: str, text: str) -> Any:
+    try:
+        return tomllib.loads(f"value = {text}")["value"]
+    except tomllib.TOMLDecodeError:
+        if BARE_WORD.fullmatch(text):
+            return text
+        raise ArgumentError(f"Option `--set {path}` must have a TOML value, but has {text!r}.") from None
+
+
+def _inside(target: Any, key: str, keys: list[str]) -> Any:
+    if isinstance(target, list):
+        return target[_index(target, key, keys)]
+    inner = target.setdefault(key, {})
+    if not isinstance(inner, dict | list):
+        raise ArgumentError(f"Option `--set {'.'.join(keys)}` must name a key, but `{key}` is a value, {shown(inner)}, not a table.")
+    return inner
+
+
+def _index(target: list[Any], key: str, keys: list[str]) -> int:
+    if not key.isdigit() or int(key) >= len(target):
+        raise ArgumentError(f"Option `--set {'.'.join(keys)}` must give a list index below {len(target)}, but gives `{key}`.")
+    return int(key)
+
+
+def build(table: Mapping[str, Any]) -> Scenario:
+    """The scenario that a parsed file describes."""
+    faults: list[str] = []
+
+    def attempt(make: Any, *arguments: Any) -> Any:
+        try:
+            return make(*arguments)
+        except ArgumentError as error:
+            faults.extend(error.lines)
+
+    for key in table:
+        if key not in TOP:
+            faults.append(f"Argument `{key}` is not known{suggestion(key, TOP)}")
+    if "plant" not in table:
+        faults.append("Argument `plant` must be given: a table with a `kind`.")
+    parts: dict[str, Any] = {key: table[key] for key in ("name", "title", "claims") if key in table}
+    defaults = {"controller": NoControl, "disturbance": NoDisturbance}
+    for name in ("plant", "controller", "disturbance"):
+        given = name in table or name not in defaults
+        parts[name] = attempt(of_kind, name, table.get(name, {}), name) if given else defaults[name]()
+    for name, cls in TABLES.items():
+        parts[name] = attempt(component, cls, table.get(name, {}), name)
+    parts["bounds"] = attempt(_mapping, table.get("bounds", {}), "bounds")
+    parts["actuators"] = attempt(actuators, table.get("actuator", {}), parts["plant"])
+    if faults:
+        raise ArgumentError(faults)
+    return Scenario(**parts)
+
+
+def of_kind(table: str, values: Any, where: str) -> Any:
+    """A component of the class that `kind` names."""
+    values = _mapping(values, where)
+    if "kind" not in values:
+        known = ", ".join(f'"{cls.kind}"' for cls in KINDS[table])
+        raise ArgumentError(f"Argument `{where}.kind` must be given, one of {known}.")
+    cls = find_kind(table, values["kind"], where)
+    return component(cls, {key: value for key, value in values.items() if key != "kind"}, where)
+
+
+def component(cls: type[Component], values: Any, where: str) -> Any:
+    """A component from its table; inner tables become inner components."""
+    values, hints = _mapping(values, where), get_type_hints(cls, include_extras=True)
+    names = [f.name for f in fields(cls)]
+    faults = [f"Argument `{where}.{key}` is not known{suggestion(key, names)}" for key in values if key not in names]
+    ready = {}
+    for key, value in values.items():
+        inner = split_hint(hints[key])[0] if key in names else None
+        try:
+            nested = isinstance(inner, type) and issubclass(inner, Component)
+            ready[key] = component(inner, value, f"{where}.{key}") if nested else value  # type: ignore[arg-type]
+        except ArgumentError as error:
+            faults += error.lines
+    if faults:
+        raise ArgumentError(faults)
+    try:
+        return cls(**ready)
+    except ArgumentError as error:
+        raise error.under(where) from None
+
+
+def actuators(tables: Any, plant: Any) -> dict[str, tuple[Stage, ...]]:
+    """The chain of every port: its own table, or the one of `actuator.all`."""
+    chains: dict[str, tuple[Stage, ...]] = {}
+    for port, table in _mapping(tables, "actuator").items():
+        where = f"actuator.{port}"
+        table = _mapping(table, where)
+        for key in table:
+            if key != "chain":
+                raise ArgumentError(f"Argument `{where}.{key}` is not known{suggestion(key, ['chain'])}")
+        chain = table.get("chain", [])
+        if not isinstance(chain, list):
+            raise wrong(f"{where}.chain", "be a list of tables", chain)
+        chains[port] = tuple(of_kind("actuator", stage, f"{where}.chain[{i}]") for i, stage in enumerate(chain))
+    common = chains.pop("all", None)
+    if common is not None and plant is not None:
+        chains = {port.name: chains.pop(port.name, common) for port in plant.ports} | chains
+    return chains
+
+
+def _mapping(value: Any, where: str) -> Table:
+    if not isinstance(value, dict):
+        raise wrong(where, "be a table", value)
+    return value
