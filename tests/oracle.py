@@ -184,8 +184,9 @@ def solve_ports(laws, outputs, y, free, gain, dt, disturbance, slow, force):
     return force, command, v
 
 
-def simulate(omega, b, q, rate, dt, feedforward, coulomb, damping, barrier, limit,
-             disturbance, load, deliver, states, slow, force):
+def simulate(
+    omega, b, q, rate, dt, feedforward, coulomb, damping, barrier, limit, disturbance, load, deliver, states, slow, force
+):
     """One trial; force is the delivered force before it, only the first guess of the sweeps over the ports."""
     omega, b, load, disturbance = (np.asarray(a, float) for a in (omega, b, load, disturbance))
     n, steps, states, slow = len(omega), len(load), list(states), np.array(slow, float)
@@ -210,5 +211,4 @@ def simulate(omega, b, q, rate, dt, feedforward, coulomb, damping, barrier, limi
     grid = np.array(grid)
     v, command, delivered = np.array(step).reshape(steps, 3, len(b)).transpose(1, 0, 2)
     energy = ((grid[:, n:] / dt) ** 2 + (omega * grid[:, :n]) ** 2).sum(axis=1) / 2
-    return Trial(grid[:, :n] @ b.T, v, command, delivered, energy, np.array(work),
-                 state[:n], state[n:] / dt, states, slow)
+    return Trial(grid[:, :n] @ b.T, v, command, delivered, energy, np.array(work), state[:n], state[n:] / dt, states, slow)

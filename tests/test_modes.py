@@ -40,7 +40,9 @@ def test_spectral_frequencies_equal_the_characteristic_equation() -> None:
 
 
 def test_spectral_frequencies_hold_for_another_beam() -> None:
-    beam = TimoshenkoBeam(mass_per_length=0.7, length=1.6, tip_mass=0.4, tip_inertia=0.02, rotary_inertia=0.3, shear_stiffness=60.0)
+    beam = TimoshenkoBeam(
+        mass_per_length=0.7, length=1.6, tip_mass=0.4, tip_inertia=0.02, rotary_inertia=0.3, shear_stiffness=60.0
+    )
     np.testing.assert_allclose(beam.modes(40).omega[:10], exact_frequencies(beam, 10), rtol=1e-10)
 
 

@@ -42,7 +42,9 @@ def test_kernel_agrees_with_the_independent_oracle(law: str, grid: str, step: st
         )  # fmt: skip
         for name in ("y", "v", "delivered", "energy"):
             expected = getattr(trial, name)
-            np.testing.assert_allclose(result[name][j], expected, atol=1e-9 * np.abs(expected).max() + 1e-300, rtol=0, err_msg=name)
+            np.testing.assert_allclose(
+                result[name][j], expected, atol=1e-9 * np.abs(expected).max() + 1e-300, rtol=0, err_msg=name
+            )
         np.testing.assert_allclose(result["command"][j], trial.command, atol=1e-8 * np.abs(trial.command).max() + 1e-300, rtol=0)
         np.testing.assert_allclose(result["work_load"][j], trial.work_load, atol=1e-14)
         q, rate, states, slow, force = trial.q, trial.rate, trial.states, trial.slow, trial.delivered[-1]

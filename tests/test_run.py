@@ -80,7 +80,9 @@ def test_what_the_compliance_stores_and_loses_is_its_work(run: Run, reading: str
 
 def test_uncontrolled_motion_converges_at_second_order_in_the_step() -> None:
     def motion(step: float) -> np.ndarray:
-        result = dampen.simulate(scenario("controller.kind=none", "numerics.modes=24", f"numerics.step={step}", "task.trials=3", "output.every=1"))
+        result = dampen.simulate(
+            scenario("controller.kind=none", "numerics.modes=24", f"numerics.step={step}", "task.trials=3", "output.every=1")
+        )
         return np.asarray(result["y"])[:, :: round(0.008 / step)]
 
     reference = motion(0.00025)
@@ -115,7 +117,13 @@ def test_the_constraint_holds_for_200_random_gain_sets(reading: str, step: str) 
         gains = {f"alpha_{i}": 10 ** random.uniform(-2, 1.3) for i in (1, 3, 4, 6, 7, 8, 9)}
         gains |= {f"alpha_{i}": 10 ** random.uniform(0, 1) for i in (2, 5)}
         overrides = [f"controller.{name}={value!r}" for name, value in gains.items()]
-        changes = ("task.trials=3", f"numerics.step={step}", "numerics.modes=40", READINGS[reading], "disturbance.base_frequency=0.5")
+        changes = (
+            "task.trials=3",
+            f"numerics.step={step}",
+            "numerics.modes=40",
+            READINGS[reading],
+            "disturbance.base_frequency=0.5",
+        )
         result = dampen.simulate(scenario(*changes, *overrides))
         assert np.abs(result["y"]).max() < 0.2, gains
         assert np.all(np.isfinite(result["energy"]))
@@ -123,7 +131,9 @@ def test_the_constraint_holds_for_200_random_gain_sets(reading: str, step: str) 
 
 @pytest.mark.parametrize("reading", READINGS)
 def test_thirty_times_the_initial_velocity_stays_finite(reading: str) -> None:
-    result = dampen.simulate(scenario("plant.initial.w_rate=[3.0]", "plant.initial.phi_rate=[3.0]", "task.trials=5", READINGS[reading]))
+    result = dampen.simulate(
+        scenario("plant.initial.w_rate=[3.0]", "plant.initial.phi_rate=[3.0]", "task.trials=5", READINGS[reading])
+    )
     assert result.status == "complete"
     assert energy_account(result).error <= 1e-11
     for name in result.layout.variables:

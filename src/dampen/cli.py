@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import itertools
 import sys
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
@@ -13,6 +14,7 @@ from rich.console import Console
 
 from dampen.component import ArgumentError
 
+# One function a command; heavy packages are imported where they are used, so that --help is quick.
 if TYPE_CHECKING:
     from dampen.simulation.result import Result
     from dampen.simulation.scenario import Scenario
@@ -53,10 +55,15 @@ def version(show: Annotated[bool, typer.Option("--version", help="Show the versi
 )
 def run(
     scenario: ScenarioArgument,
-    set_: Annotated[list[str] | None, typer.Option("--set", metavar="KEY=VALUE", help="change a value, e.g. plant.tip_mass=0.2")] = None,
-    folder: Annotated[Path | None, typer.Option("--out", metavar="DIR", help="where to write (default: a new folder in runs/)")] = None,
+    set_: Annotated[
+        list[str] | None, typer.Option("--set", metavar="KEY=VALUE", help="change a value, e.g. plant.tip_mass=0.2")
+    ] = None,
+    folder: Annotated[
+        Path | None, typer.Option("--out", metavar="DIR", help="where to write (default: a new folder in runs/)")
+    ] = None,
     report: Annotated[bool, typer.Option("--report/--no-report", help="figures and report.html")] = True,
 ) -> None:
+    """`dampen run`."""
     from dampen.scenarios.claims import check_claims, figure_plan, note
     from dampen.scenarios.read import read_scenario
 
@@ -78,6 +85,7 @@ def run(
 
 @app.command("list", help="List the shipped scenarios, and every kind with its parameters, units and defaults.")
 def list_() -> None:
+    """`dampen list`."""
     from dampen.listing import listing
 
     out.print(listing(), markup=False)
@@ -85,6 +93,7 @@ def list_() -> None:
 
 @app.command(help="Print a scenario file, to copy: `dampen show he2017 > mine.toml`.")
 def show(scenario: ScenarioArgument) -> None:
+    """`dampen show`."""
     from dampen.scenarios.read import source_text
 
     sys.stdout.write(source_text(scenario))
@@ -109,6 +118,7 @@ def main() -> None:
 
 
 def complain(lines: list[str]) -> int:
+    """One line for every fault."""
     for line in lines:
         err.print(line, markup=False)
     return BAD_INPUT
@@ -117,9 +127,8 @@ def complain(lines: list[str]) -> int:
 def make_folder(folder: Path | None, name: str) -> Path:
     """The output folder: the one asked for, or the first of runs/NAME, runs/NAME-2, ... that does not exist yet."""
     if folder is None:
-        number = 1
-        while (folder := Path("runs") / (name if number == 1 else f"{name}-{number}")).exists():
-            number += 1
+        candidates = (Path("runs") / (name if number == 1 else f"{name}-{number}") for number in itertools.count(1))
+        folder = next(path for path in candidates if not path.exists())
     try:
         folder.mkdir(parents=True, exist_ok=True)
         probe = folder / ".dampen"

@@ -121,7 +121,7 @@ def parameters(cls: type) -> list[Parameter]:
     for f in fields(cls):
         base, extras = split_hint(hints[f.name])
         required = f.default is MISSING and f.default_factory is MISSING
-        default = None if required else f.default if f.default is not MISSING else f.default_factory()  # type: ignore[misc]
+        default = None if required else getattr(cls(), f.name)
         unit = next((e.unit for e in extras if isinstance(e, Unit)), "")
         doc = next((e.documentation for e in extras if isinstance(e, Doc)), "")
         found.append(Parameter(f.name, _type_name(base), default, required, unit, _range(extras), doc))
@@ -148,12 +148,13 @@ def _model(cls: type) -> type[BaseModel]:
     for f in fields(cls):
         base, extras = split_hint(hints[f.name])
         bounds = {key: getattr(e, key) for e in extras for kind, key, _ in _BOUNDS if isinstance(e, kind)}
-        base = pydantic.InstanceOf[base] if dataclasses.is_dataclass(base) else base
-        declared[f.name] = (Annotated[base, pydantic.Field(**bounds)] if bounds else base, ...)
+        checked: Any = pydantic.InstanceOf.__class_getitem__(base) if dataclasses.is_dataclass(base) else base
+        declared[f.name] = (Annotated[checked, pydantic.Field(**bounds)] if bounds else checked, ...)
     return pydantic.create_model(cls.__name__, __config__=config, **declared)
 
 
 def split_hint(hint: Any) -> tuple[Any, tuple[Any, ...]]:
+    """A type hint as the type itself and what `Annotated` adds to it."""
     return (get_args(hint)[0], get_args(hint)[1:]) if get_origin(hint) is Annotated else (hint, ())
 
 
@@ -187,10 +188,9 @@ def _line(cls: type, values: dict[str, Any], error: Any) -> str:
     path = name + "".join(f"[{part}]" if part.isdigit() else f".{part}" for part in inner if part not in ("[key]",))
     parameter = next((p for p in parameters(cls) if p.name == name), None)
     unit = f" {parameter.unit}" if parameter and parameter.unit else ""
-    signs = {"greater_than": (">", "gt"), "greater_than_equal": (">=", "ge"), "less_than": ("<", "lt"), "less_than_equal": ("<=", "le")}
-    if kind in signs:
-        sign, key = signs[kind]
-        must = f"be {sign} {context[key]:g}{unit}"
+    bound = next(((sign, key) for _, key, sign in _BOUNDS if key in context), None)
+    if bound:
+        must = f"be {bound[0]} {context[bound[1]]:g}{unit}"
     elif kind == "literal_error":
         must = f"be {context['expected']}"
     elif parameter and any(other in kind for other in ("union", "is_instance")):

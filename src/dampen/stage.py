@@ -10,7 +10,8 @@ import numpy as np
 
 from dampen.component import Component
 
-Step = Callable[[float, np.ndarray, np.ndarray, np.ndarray], float]
+Array = np.ndarray
+Step = Callable[[float, Array, Array, Array], float]
 
 
 class Stage(Component):

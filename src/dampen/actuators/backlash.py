@@ -9,10 +9,10 @@ from annotated_types import Ge, Gt, Le, Unit
 from typing_extensions import Doc
 
 from dampen.component import ArgumentError
-from dampen.stage import Stage, Step
+from dampen.stage import Array, Stage, Step
 
 
-def backlash_step(command, state, parameters, new_state):
+def backlash_step(command: float, state: Array, parameters: Array, new_state: Array) -> float:
     """B_new = min(max(B_old, m (eta - B_r)), m (eta - B_l))."""
     slope, right, left = parameters[0], parameters[1], parameters[2]
     delivered = min(max(state[0], slope * (command - right)), slope * (command - left))

@@ -5,10 +5,10 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import ClassVar
 
-from dampen.stage import Stage, Step
+from dampen.stage import Array, Stage, Step
 
 
-def ideal_step(command, state, parameters, new_state):
+def ideal_step(command: float, state: Array, parameters: Array, new_state: Array) -> float:
     """B = command."""
     return command
 

@@ -1,0 +1,1 @@
+"""Who decides: the law at the ports and what it learns between trials."""

@@ -5,15 +5,12 @@ from __future__ import annotations
 from abc import abstractmethod
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
 
 import numpy as np
 
 from dampen.component import Component
+from dampen.port import Port
 from dampen.stage import Stage
-
-if TYPE_CHECKING:
-    from dampen.plants.base import Port
 
 Array = np.ndarray
 Memory = Mapping[str, Array]

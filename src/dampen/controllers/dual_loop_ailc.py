@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, field
-from typing import TYPE_CHECKING, Annotated, ClassVar
+from typing import Annotated, ClassVar
 
 import numpy as np
 from annotated_types import Ge, Gt, Le, Unit
@@ -11,10 +11,8 @@ from typing_extensions import Doc
 
 from dampen.component import ArgumentError, Component
 from dampen.controllers.base import Array, Controller, Memory, PortLaw, Setting, Trial
+from dampen.port import Port
 from dampen.stage import Stage, Step
-
-if TYPE_CHECKING:
-    from dampen.plants.base import Port
 
 
 @dataclass(frozen=True)
@@ -35,7 +33,7 @@ class AssumedBacklash(Component):
         return self.slope * (self.right - self.left)
 
 
-def flank_step(command, state, parameters, new_state):
+def flank_step(command: float, state: Array, parameters: Array, new_state: Array) -> float:
     """eta = command / m + B_l."""
     return command * parameters[0] + parameters[1]
 
@@ -65,7 +63,7 @@ class DualLoopAILC(Controller):
 
         force   u = xi - [d_hat + 2 alpha_1 f_bar L + alpha_2 d_bar] sgn(v) - alpha_3 y/(C^2 - y^2) ln(C^2/(C^2 - y^2))
                 xi = zeta(previous trial) - alpha_4 v          d_hat = d_hat(previous trial) + alpha_8 |v|
-        torque  the same without the f_bar term, with alpha_5 for alpha_2 and alpha_6, alpha_7, alpha_9 for alpha_3, alpha_4, alpha_8
+        torque  the same without the f_bar term, with alpha_5 for alpha_2 and alpha_6, 7, 9 for alpha_3, 4, 8
 
     y and v are the port's displacement and rate, zeta is the dead-zone of xi of width m (B_r - B_l), all memories are zero
     before trial 0, and sgn is set-valued at 0. Source: He et al. 2017, (15)-(18). Only alpha_9 = 0.1 is known of the paper's
@@ -83,8 +81,12 @@ class DualLoopAILC(Controller):
     alpha_7: Annotated[float, Gt(0), Unit("N m s"), Doc("damping and learning gain of the torque channel")] = 1.0
     alpha_8: Annotated[float, Gt(0), Unit("N s/m"), Doc("observer gain of the force channel")] = 0.1
     alpha_9: Annotated[float, Gt(0), Unit("N m s"), Doc("observer gain of the torque channel; the paper's own value")] = 0.1
-    compensate: Annotated[bool, Doc("true: aim at the assumed backlash (the paper's analysis); false: the law drives the actuator")] = True
-    assumed_backlash: Annotated[AssumedBacklash, Doc("what the controller believes of the backlash")] = field(default_factory=AssumedBacklash)
+    compensate: Annotated[
+        bool, Doc("true: aim at the assumed backlash (the paper's analysis); false: the law drives the actuator")
+    ] = True
+    assumed_backlash: Annotated[AssumedBacklash, Doc("what the controller believes of the backlash")] = field(
+        default_factory=AssumedBacklash
+    )
 
     @property
     def uses_barrier(self) -> bool:

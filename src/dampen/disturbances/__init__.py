@@ -1,0 +1,1 @@
+"""What shakes the structure."""

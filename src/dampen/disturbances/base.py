@@ -5,14 +5,11 @@ from __future__ import annotations
 from abc import abstractmethod
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
 
 import numpy as np
 
 from dampen.component import Component
-
-if TYPE_CHECKING:
-    from dampen.plants.base import Port
+from dampen.port import Port
 
 Array = np.ndarray
 

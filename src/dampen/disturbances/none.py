@@ -4,14 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, ClassVar
+from typing import ClassVar
 
 import numpy as np
 
 from dampen.disturbances.base import Array, Content, Disturbance
-
-if TYPE_CHECKING:
-    from dampen.plants.base import Port
+from dampen.port import Port
 
 
 @dataclass(frozen=True)

@@ -1,0 +1,1 @@
+"""What vibrates: each plant turns its physics into modes, ports and fields."""

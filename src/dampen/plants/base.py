@@ -11,30 +11,10 @@ import numpy as np
 
 from dampen.component import Component, wrong
 from dampen.plants.gauss import gauss_legendre
+from dampen.port import Port
 
 Array = np.ndarray
 Discretisation = Literal["spectral", "finite-difference"]
-
-
-@dataclass(frozen=True)
-class Port:
-    """A place where a force (or torque) acts and the matching displacement (or angle) is seen.
-
-    `kind` is "force" or "torque": a law may treat the two differently, as the paper's does.
-    """
-
-    name: str
-    field: str
-    x: float
-    kind: Literal["force", "torque"] = "force"
-
-    @property
-    def motion_unit(self) -> str:
-        return "m" if self.kind == "force" else "rad"
-
-    @property
-    def effort_unit(self) -> str:
-        return "N" if self.kind == "force" else "N m"
 
 
 @dataclass(frozen=True)

@@ -16,12 +16,12 @@ from dampen.plants.base import (
     Field,
     Modes,
     Plant,
-    Port,
     polynomial,
     solve_modes,
     static_compliance,
 )
 from dampen.plants.spaces import FiniteDifference, Space, Spectral
+from dampen.port import Port
 
 
 @dataclass(frozen=True)
@@ -107,7 +107,9 @@ class TimoshenkoBeam(Plant):
             ports=self.ports,
             fields=(
                 Field("w", "m", lambda x: space.values(x) @ w_vectors, self.mass_per_length, ((self.length, self.tip_mass),)),
-                Field("phi", "rad", lambda x: space.values(x) @ phi_vectors, self.rotary_inertia, ((self.length, self.tip_inertia),)),
+                Field(
+                    "phi", "rad", lambda x: space.values(x) @ phi_vectors, self.rotary_inertia, ((self.length, self.tip_inertia),)
+                ),
             ),
             compliance=static_compliance(stiffness, port_vectors),
             rule=space.rule,

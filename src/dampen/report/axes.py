@@ -58,10 +58,18 @@ def nice_strides() -> Sequence[int]:
     return [m * 10**k for k in range(9) for m in (1, 2, 5)]
 
 
-def value_axis(axes: Axes, label: str, steps: Sequence[float] = (1, 2, 2.5, 5, 10)) -> None:
-    """A linear axis of values, with about five ticks at these multiples of powers of ten."""
-    axes.set_ylabel(label)
+def value_axis(axes: Axes, words: str, unit: str, steps: Sequence[float] = (1, 2, 2.5, 5, 10)) -> None:
+    """A linear axis of values, its limits already set, with about five ticks at these multiples of powers of ten.
+
+    Very small or large values are written in thousands(ths) of the unit, so that their ticks stay short.
+    """
     axes.yaxis.set_major_locator(MaxNLocator(5, steps=steps))
+    reach = float(np.max(np.abs(axes.get_ylim())))
+    power = 3 * int(np.floor(np.log10(reach) / 3)) if reach < 0.02 or reach >= 2e4 else 0
+    if power:
+        axes.yaxis.set_major_formatter(FuncFormatter(lambda y, _: plain_number(y / 10.0**power)))
+        unit = f"{ten_to(power)} {unit}"
+    axes.set_ylabel(f"{words} [{unit}]")
 
 
 def log_axis(axes: Axes, label: str, low: float, high: float) -> None:

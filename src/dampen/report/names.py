@@ -25,7 +25,7 @@ class PortNames:
 
     @property
     def label(self) -> str:
-        return f"{self.words} {self.math} [{self.motion}]".replace("  ", " ")
+        return f"{self.words} {self.math}".strip()
 
 
 def port_names(run: Result, name: str) -> PortNames:

@@ -1,0 +1,1 @@
+"""Scenario files to objects, and the scenarios that ship with the package."""

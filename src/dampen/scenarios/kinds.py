@@ -23,5 +23,7 @@ def find_kind(table: str, kind: object, where: str) -> type[Component]:
     """The class behind a `kind`; raises ArgumentError with what is known."""
     known = {cls.kind: cls for cls in KINDS[table]}
     if not isinstance(kind, str) or kind not in known:
-        raise ArgumentError(f"Argument `{where}.kind` must be a known kind of {table}, but is {kind!r}{suggestion(str(kind), known)}")
+        raise ArgumentError(
+            f"Argument `{where}.kind` must be a known kind of {table}, but is {kind!r}{suggestion(str(kind), known)}"
+        )
     return known[kind]

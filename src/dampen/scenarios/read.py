@@ -10,7 +10,7 @@ from importlib import resources
 from pathlib import Path
 from typing import Any, get_type_hints
 
-from dampen.component import ArgumentError, Component, split_hint, shown, suggestion, wrong
+from dampen.component import ArgumentError, Component, shown, split_hint, suggestion, wrong
 from dampen.controllers.none import NoControl
 from dampen.disturbances.none import NoDisturbance
 from dampen.scenarios.kinds import KINDS, find_kind
@@ -94,7 +94,9 @@ def _inside(target: Any, key: str, keys: list[str]) -> Any:
         return target[_index(target, key, keys)]
     inner = target.setdefault(key, {})
     if not isinstance(inner, dict | list):
-        raise ArgumentError(f"Option `--set {'.'.join(keys)}` must name a key, but `{key}` is a value, {shown(inner)}, not a table.")
+        raise ArgumentError(
+            f"Option `--set {'.'.join(keys)}` must name a key, but `{key}` is a value, {shown(inner)}, not a table."
+        )
     return inner
 
 

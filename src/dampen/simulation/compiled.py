@@ -18,7 +18,11 @@ def bind(function: Callable[..., Any], **names: Any) -> FunctionType:
     assert isinstance(function, FunctionType)
     inner = {n: bind(f, **names) for n, f in _callees(function) if n not in names and _reaches(f, set(names))}
     copy = FunctionType(
-        function.__code__, {**function.__globals__, **inner, **names}, function.__name__, function.__defaults__, function.__closure__
+        function.__code__,
+        {**function.__globals__, **inner, **names},
+        function.__name__,
+        function.__defaults__,
+        function.__closure__,
     )
     copy.__module__, copy.__qualname__ = function.__module__, function.__qualname__
     return copy
@@ -29,7 +33,7 @@ def compiled(function: Callable[..., Any]) -> Any:
     import numba
 
     assert isinstance(function, FunctionType)
-    options = {"nogil": True, "error_model": "numpy", "fastmath": {"reassoc", "contract", "nsz"}, "_nrt": False}
+    options: dict[str, Any] = {"nogil": True, "error_model": "numpy", "fastmath": {"reassoc", "contract", "nsz"}, "_nrt": False}
     dispatcher = numba.njit(**options)(_with_compiled_callees(function, partial(numba.njit, forceinline=True, **options)))
     _cache_under(dispatcher, _key(function))
     return dispatcher
@@ -42,7 +46,7 @@ def is_cached(dispatcher: Any) -> bool:
 
 
 def _with_compiled_callees(function: FunctionType, jit: Any) -> FunctionType:
-    return bind(function, **{name: jit(_with_compiled_callees(callee, jit)) for name, callee in _callees(function)})  # type: ignore[return-value]
+    return bind(function, **{name: jit(_with_compiled_callees(callee, jit)) for name, callee in _callees(function)})
 
 
 def _callees(function: FunctionType) -> Iterator[tuple[str, FunctionType]]:
@@ -80,12 +84,12 @@ def _key(function: FunctionType) -> str:
 
 def _cache_under(dispatcher: Any, key: str) -> None:
     """Cache the compiled code on disk; without a writable place for it, compile anew in every process."""
-    from numba.core.caching import FunctionCache, IndexDataCacheFile
+    from numba.core import caching
 
     try:
-        cache = FunctionCache(dispatcher.py_func)
+        cache: Any = caching.FunctionCache(dispatcher.py_func)  # type: ignore[no-untyped-call]
         base = f"{cache._impl.filename_base}-{key}"
-        cache._cache_file = IndexDataCacheFile(cache_path=cache._cache_path, filename_base=base, source_stamp=key)
+        cache._cache_file = caching.IndexDataCacheFile(cache_path=cache._cache_path, filename_base=base, source_stamp=key)  # type: ignore[no-untyped-call]
         dispatcher._cache = cache
     except (RuntimeError, OSError, AttributeError):
         pass

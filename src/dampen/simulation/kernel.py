@@ -18,6 +18,8 @@ Array = np.ndarray
 
 STAGE_PARAMETERS = 32
 STAGE_STATES = 16
+MODES_AT_MOST = 1000
+_ROW = (float, MODES_AT_MOST + 32)
 
 PORT = np.dtype(
     [
@@ -32,36 +34,38 @@ PORT = np.dtype(
     ]
 )  # fmt: skip
 STAGE = np.dtype(
-    [("code", int), ("states", int), ("parameters", float, STAGE_PARAMETERS), ("state", float, STAGE_STATES), ("new_state", float, STAGE_STATES)]
+    [
+        ("code", int),
+        ("states", int),
+        ("parameters", float, STAGE_PARAMETERS),
+        ("state", float, STAGE_STATES),
+        ("new_state", float, STAGE_STATES),
+    ]
+)
+
+
+# All modes in one record of fixed size: the compiler then knows that its rows do not overlap, and the loop over modes runs in
+# vector instructions without a check. Rows are an odd number of cache lines long, so that they do not compete for one place
+# in the cache. q+ = c11 q + c12 q' + psi a and q'+ = c21 q + c22 q' + c12 a is the exact solution over one step of length dt
+# under a held modal force a; `b0` and `b1` are the port vectors of the first two ports, zero where there is no such port.
+MODAL = np.dtype(
+    [(row, *_ROW) for row in ("q", "rate", "c11", "c12", "c21", "c22", "psi", "omega2", "b0", "b1", "a")] + [("count", int)]
 )
 
 
 class Step(NamedTuple):
-    """The exact solution of every mode over one step dt under a held modal force a,
+    """What the ports see of a step of length dt: their mean velocity is v_q q + v_rate q' + G F under port forces F.
 
-        q+ = c11 q + c12 q' + psi a        q'+ = c21 q + c22 q' + c12 a
-
-    and what the ports see of it, their mean velocity v = v_q q + v_rate q' + G F under port forces F. `b`, `v_q`, `v_rate` are
-    (ports, modes), `g` is (ports, ports), `coupling` a scratch copy of it; `a`, `q_new`, `rate_new` are scratch (modes,),
-    `zero` is (modes,) zeros.
+    `b`, `v_q`, `v_rate` are (ports, modes), with a row of zeros added where the number of ports is odd; `g` is (ports, ports),
+    `coupling` a scratch copy of it.
     """
 
     dt: float
-    c11: Array
-    c12: Array
-    c21: Array
-    c22: Array
-    psi: Array
-    omega2: Array
     b: Array
     v_q: Array
     v_rate: Array
     g: Array
     coupling: Array
-    a: Array
-    zero: Array
-    q_new: Array
-    rate_new: Array
 
 
 class Inputs(NamedTuple):
@@ -89,111 +93,111 @@ class Record(NamedTuple):
     q: Array
 
 
-def run_trial(step, inputs, ports, stages, q, rate, every, record):
-    """Run one trial in place; `q`, `rate`, `ports` and `stages` carry the state from trial to trial.
+def run_trial(modal, step, inputs, ports, stages, every, record):
+    """Run one trial in place; `modal`, `ports` and `stages`, arrays of records, carry the state from trial to trial.
 
     Returns the number of steps done: fewer than there are where the motion stops being finite.
     """
+    m, dt = modal[0], step.dt
     steps, n = inputs.disturbance.shape
-    dt, a, q_new, rate_new = step.dt, step.a, step.q_new, step.rate_new
-    for p in range(n):
-        ports[p].y = dot(step.b[p], q, step.b[p], step.zero)
-        record.y[0, p] = ports[p].y
-        record.slow[0, p] = ports[p].slow
-        if abs(ports[p].y) < EDGE * ports[p].limit:
-            ports[p].log_y = log_ratio(ports[p].y, ports[p].limit)
-    record.energy[0] = energy_of(q, rate, step.omega2)
-    copy(q, record.q[0])
+    start(m, step, ports, record)
+    snapshot, wait = 0, every
     for k in range(steps):
-        # free motion: where the ports go under all that is known as the step begins
-        for p in range(n):
-            port = ports[p]
-            port.v_free = dot(step.v_q[p], q, step.v_rate[p], rate) + inputs.drift[k, p]
-            port.feedforward = inputs.feedforward[k, p]
-            port.coulomb = inputs.coulomb[k, p]
-
+        free_motion(k, m, step, inputs, ports)
         close_ports(ports, stages, step.g, step.coupling, dt)
-
-        # apply
-        scaled_sum(inputs.load[k], ports[0].force + inputs.disturbance[k, 0], step.b[0], a)
-        for p in range(1, n):
-            scaled_sum(a, ports[p].force + inputs.disturbance[k, p], step.b[p], a)
-        work, potential = move(step, inputs.load[k], q, rate, a, q_new)
-        kinetic = speed_up(step, q, rate, a, rate_new)
-        q, q_new, rate, rate_new = q_new, q, rate_new, rate
-        record.work_load[k] = work
-        record.energy[k + 1] = kinetic + potential
+        record.work_load[k], record.energy[k + 1] = apply(k, m, step, inputs, ports)
         for p in range(n):
-            port = ports[p]
-            y_new = port.y + dt * velocity(p, ports, step.g)
-            if port.barrier > 0.0:
-                port.log_y = log_ratio_at(y_new, port.y, port.log_y, port.limit)
-            port.y = y_new
-            port.slow += RELAXATION * (port.force - port.slow)
-            record.y[k + 1, p] = port.y
-            record.slow[k + 1, p] = port.slow
-            record.v[k, p] = port.v_law
-            record.command[k, p] = port.command
-            record.delivered[k, p] = port.force
-        for s in range(len(stages)):
-            for i in range(stages[s].states):
-                stages[s].state[i] = stages[s].new_state[i]
-        if (k + 1) % every == 0:
-            copy(q, record.q[(k + 1) // every])
+            end_step(k, p, ports, stages, step, record)
+        wait -= 1
+        if wait == 0:
+            snapshot, wait = snapshot + 1, every
+            for i in range(m.count):
+                record.q[snapshot, i] = m.q[i]
         if not record.energy[k + 1] < np.inf:
             return k
-    if steps % 2:
-        copy(q, q_new)
-        copy(rate, rate_new)
     return steps
 
 
-def move(step, load, q, rate, a, q_new):
-    """q_new; returns the work of the load, sum(load (q_new - q)), and the potential energy, sum(omega^2 q_new^2) / 2."""
-    c11, c12, psi, omega2 = step.c11, step.c12, step.psi, step.omega2
-    work, potential = 0.0, 0.0
-    for i in range(len(q)):
-        x = c11[i] * q[i] + c12[i] * rate[i] + psi[i] * a[i]
-        work += load[i] * (x - q[i])
-        potential += omega2[i] * x * x
-        q_new[i] = x
-    return work, 0.5 * potential
-
-
-def speed_up(step, q, rate, a, rate_new):
-    """rate_new; returns the kinetic energy, sum(rate_new^2) / 2."""
-    c21, c22, c12 = step.c21, step.c22, step.c12
-    kinetic = 0.0
-    for i in range(len(q)):
-        x = c21[i] * q[i] + c22[i] * rate[i] + c12[i] * a[i]
-        kinetic += x * x
-        rate_new[i] = x
-    return 0.5 * kinetic
-
-
-def energy_of(q, rate, omega2):
-    """Kinetic and potential energy, sum(q'^2 + omega^2 q^2) / 2."""
+def start(m, step, ports, record):
+    """Where a trial begins: ports, energy and first snapshot."""
     total = 0.0
-    for i in range(len(q)):
-        total += rate[i] * rate[i] + omega2[i] * q[i] * q[i]
-    return 0.5 * total
+    for i in range(m.count):
+        total += m.rate[i] * m.rate[i] + m.omega2[i] * m.q[i] * m.q[i]
+        record.q[0, i] = m.q[i]
+    record.energy[0] = 0.5 * total
+    for p in range(len(ports)):
+        port = ports[p]
+        port.y = 0.0
+        for i in range(m.count):
+            port.y += step.b[p, i] * m.q[i]
+        if abs(port.y) < EDGE * port.limit:
+            port.log_y = log_ratio(port.y, port.limit)
+        record.y[0, p], record.slow[0, p] = port.y, port.slow
 
 
-def scaled_sum(a, factor, b, out):
-    """out = a + factor b."""
-    for i in range(len(a)):
-        out[i] = a[i] + factor * b[i]
+def free_motion(k, m, step, inputs, ports):
+    """How fast the ports go under all that is known as the step begins, and what the law has for it; ports two by two."""
+    n = len(ports)
+    for p in range(0, n, 2):
+        v, v_next = two_velocities(m, step.v_q[p], step.v_rate[p], step.v_q[p + 1], step.v_rate[p + 1])
+        ports[p].v_free = v + inputs.drift[k, p]
+        if p + 1 < n:
+            ports[p + 1].v_free = v_next + inputs.drift[k, p + 1]
+    for p in range(n):
+        ports[p].feedforward = inputs.feedforward[k, p]
+        ports[p].coulomb = inputs.coulomb[k, p]
 
 
-def copy(a, out):
-    """out = a."""
-    for i in range(len(a)):
-        out[i] = a[i]
+def two_velocities(m, q_row, rate_row, next_q_row, next_rate_row):
+    """v_q q + v_rate q' of two ports in one go."""
+    n, v, v_next = m.count, 0.0, 0.0
+    for i in range(n):
+        v += q_row[i] * m.q[i] + rate_row[i] * m.rate[i]
+        v_next += next_q_row[i] * m.q[i] + next_rate_row[i] * m.rate[i]
+    return v, v_next
 
 
-def dot(a, b, c, d):
-    """sum(a b + c d)."""
-    total = 0.0
-    for i in range(len(a)):
-        total += a[i] * b[i] + c[i] * d[i]
-    return total
+def apply(k, m, step, inputs, ports):
+    """Move all modes under the load and the port forces. Returns the work of the load and the energy reached."""
+    n = len(ports)
+    first = ports[0].force + inputs.disturbance[k, 0]
+    second = ports[1].force + inputs.disturbance[k, 1] if n > 1 else 0.0
+    load, modes = inputs.load[k], m.count
+    for i in range(modes):
+        m.a[i] = load[i]
+    for p in range(2, n):
+        force = ports[p].force + inputs.disturbance[k, p]
+        for i in range(modes):
+            m.a[i] += force * step.b[p, i]
+    return move(m, load, first, second)
+
+
+def move(m, load, first, second):
+    """The loop over modes: `a` holds all modal forces but those of the first two ports."""
+    work, energy = 0.0, 0.0
+    n = m.count
+    for i in range(n):
+        a = m.a[i] + first * m.b0[i] + second * m.b1[i]
+        q, rate = m.q[i], m.rate[i]
+        q_new = m.c11[i] * q + m.c12[i] * rate + m.psi[i] * a
+        rate_new = m.c21[i] * q + m.c22[i] * rate + m.c12[i] * a
+        work += load[i] * (q_new - q)
+        energy += m.omega2[i] * q_new * q_new + rate_new * rate_new
+        m.q[i] = q_new
+        m.rate[i] = rate_new
+    return work, 0.5 * energy
+
+
+def end_step(k, p, ports, stages, step, record):
+    """Move port p to where the forces took it, accept the next states of its stages, and write the step down."""
+    port = ports[p]
+    y_new = port.y + step.dt * velocity(p, ports, step.g)
+    if port.barrier > 0.0:
+        port.log_y = log_ratio_at(y_new, port.y, port.log_y, port.limit)
+    port.y = y_new
+    port.slow += RELAXATION * (port.force - port.slow)
+    record.y[k + 1, p], record.slow[k + 1, p] = port.y, port.slow
+    record.v[k, p], record.command[k, p], record.delivered[k, p] = port.v_law, port.command, port.force
+    for s in range(port.first, port.last):
+        for i in range(stages[s].states):
+            stages[s].state[i] = stages[s].new_state[i]

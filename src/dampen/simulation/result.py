@@ -60,7 +60,8 @@ class Layout:
         plant, steps, dt = scenario.plant, scenario.steps, scenario.numerics.step
         fields = {name: Variable(("time_out", "x"), unit, f"field {name}(x, t)", "f4") for name, unit in plant.fields}
         learned = {
-            name: Variable(("step", "port"), "", f"learned {name} after the trial") for name in scenario.controller.begin(scenario.setting)
+            name: Variable(("step", "port"), "", f"learned {name} after the trial")
+            for name in scenario.controller.begin(scenario.setting)
         }
         peak = Variable(("field",), "", "largest |field| of the trial, over snapshots everywhere and over ports at every step")
         time = np.arange(steps + 1) * dt

@@ -85,7 +85,9 @@ class Scenario(Component):
             raise wrong("numerics.step", f"divide task.trial_duration = {self.task.trial_duration:g} s", self.numerics.step)
         size = self.steps * (self.numerics.modes + 60) * 8 / 2**30
         if size > LARGEST_TRIAL:
-            raise wrong("numerics.step", f"be larger: a trial of {self.steps} steps would need {size:.3g} GiB", self.numerics.step)
+            raise wrong(
+                "numerics.step", f"be larger: a trial of {self.steps} steps would need {size:.3g} GiB", self.numerics.step
+            )
         if self.steps % self.output.every:
             raise wrong("output.every", f"divide the {self.steps} steps of a trial", self.output.every)
         if self.controller.uses_barrier:

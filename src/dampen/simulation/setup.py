@@ -13,12 +13,13 @@ from dampen.plants.base import Modes
 from dampen.simulation import kernel
 from dampen.simulation.closure import SOFTNESS
 from dampen.simulation.compiled import bind, compiled, is_cached
-from dampen.simulation.kernel import PORT, STAGE, STAGE_PARAMETERS, STAGE_STATES, Inputs, Step
+from dampen.simulation.kernel import MODAL, PORT, STAGE, STAGE_PARAMETERS, STAGE_STATES, Inputs, Step
 from dampen.simulation.scenario import Scenario
 from dampen.stage import Stage
 
 Array = np.ndarray
 LOADS_KEPT = 128 * 2**20
+LOAD_BLOCK = 100  # steps whose load is sampled at a time: what fits a processor's cache
 
 
 class Bench:
@@ -49,9 +50,9 @@ class Bench:
         steps = tuple(cls.step for cls in self._stages)
         return compiled_kernel(steps) if compile else compose(steps), self._stages
 
-    def initial_state(self) -> tuple[Array, Array]:
-        q, rate = self.scenario.plant.initial_state(self.modes)
-        return aligned(q), aligned(rate)
+    def initial_state(self) -> Any:
+        """The record of all modes as trial 0 begins."""
+        return modal_record(self.modes, self.step.dt, *self.scenario.plant.initial_state(self.modes))
 
     def inputs(self, trial: int, law: PortLaw) -> Inputs:
         """What the kernel needs to know of a trial."""
@@ -66,7 +67,8 @@ class Bench:
         if key not in self._loads:
             disturbance = np.ascontiguousarray(source.at_ports(key, self.midpoints, self.modes.ports))
             load = aligned(self._modal_load(key))
-            drift = load @ (self.modes.b * self.step.psi).T / self.step.dt + disturbance @ self.step.g
+            compliance = self.modes.b * response(self.modes.omega, self.step.dt) / self.step.dt
+            drift = load @ compliance.T + disturbance @ self.step.g
             if (len(self._loads) + 1) * load.nbytes > LOADS_KEPT:
                 self._loads.clear()
             self._loads[key] = disturbance, load, drift
@@ -78,7 +80,8 @@ class Bench:
             return np.zeros((len(self.midpoints), modes.count))
         content = source.content(trial, self.scenario.task.trial_duration, modes.ports, self.scenario.plant.span)
         x, matrix = modes.load_rule(source.load_field, content.load_wave)
-        return source.load(trial, self.midpoints, x) @ matrix
+        blocks = np.array_split(self.midpoints, max(1, len(self.midpoints) // LOAD_BLOCK))
+        return np.concatenate([source.load(trial, t, x) @ matrix for t in blocks])
 
 
 def output_points(scenario: Scenario) -> Array:
@@ -87,17 +90,38 @@ def output_points(scenario: Scenario) -> Array:
 
 
 def exact_step(modes: Modes, dt: float) -> Step:
-    """The exact step of every (undamped) mode under a held force, and what the ports see of it."""
+    """What the ports see of a step of the (undamped) modes under held forces."""
     omega, b = modes.omega, modes.b
+    c12, psi = np.sin(omega * dt) / omega, response(omega, dt)
+    g = (b * psi) @ b.T / dt
+    pad = np.zeros((len(b) % 2, len(omega)))
+    rows = (np.vstack([part, pad]) for part in (b, -b * psi * omega**2 / dt, b * c12 / dt))
+    b_rows, q_rows, rate_rows = map(aligned, rows)
+    return Step(dt, b_rows, q_rows, rate_rows, aligned(g), aligned(g))
+
+
+def modal_record(modes: Modes, dt: float, q: Array, rate: Array) -> Any:
+    """The kernel's record of all modes, in the state q, rate."""
+    omega, n = modes.omega, modes.count
+    buffer = np.zeros(MODAL.itemsize + 64, np.uint8)
+    offset = -buffer.ctypes.data % 64
+    modal = buffer[offset : offset + MODAL.itemsize].view(MODAL).view(np.recarray)
     cosine, sine = np.cos(omega * dt), np.sin(omega * dt)
-    c12 = sine / omega
-    psi = 2 * (np.sin(omega * dt / 2) / omega) ** 2
-    v_q, v_rate, g = -b * psi * omega**2 / dt, b * c12 / dt, (b * psi) @ b.T / dt
-    rows = (cosine, c12, -omega * sine, cosine, psi, omega**2, b, v_q, v_rate, g, g, *[np.zeros_like(omega)] * 4)
-    return Step(dt, *(aligned(row) for row in rows))
+    rows = {"q": q, "rate": rate, "c11": cosine, "c12": sine / omega, "c21": -omega * sine, "c22": cosine}
+    rows |= {"psi": response(omega, dt), "omega2": omega**2}
+    rows |= {f"b{p}": row for p, row in enumerate(modes.b[:2])}
+    for name, row in rows.items():
+        modal[name][0, :n] = row
+    modal["count"] = n
+    return modal
 
 
-def port_records(scenario: Scenario, step: Step, classes: Sequence[type[Stage]]) -> tuple[Array, Array]:
+def response(omega: Array, dt: float) -> Array:
+    """psi: displacement of each mode after a step under a unit modal force, from rest."""
+    return np.asarray(2 * (np.sin(omega * dt / 2) / omega) ** 2)
+
+
+def port_records(scenario: Scenario, step: Step, classes: Sequence[type[Stage]]) -> tuple[Any, Any]:
     """The records of all ports and stages as trial 0 begins; a stage's code is the place of its class among `classes`."""
     chains = [scenario.chain(p) for p in range(len(scenario.plant.ports))]
     ports = np.zeros(len(chains), PORT).view(np.recarray)
@@ -109,7 +133,9 @@ def port_records(scenario: Scenario, step: Step, classes: Sequence[type[Stage]])
         for stage in chain:
             row = stage.row()
             if len(row) > STAGE_PARAMETERS or stage.states > STAGE_STATES:
-                raise ValueError(f"{type(stage).__name__} needs more than {STAGE_PARAMETERS} parameters or {STAGE_STATES} states.")
+                raise ValueError(
+                    f"{type(stage).__name__} needs more than {STAGE_PARAMETERS} parameters or {STAGE_STATES} states."
+                )
             stages[s].code, stages[s].states = classes.index(type(stage)), stage.states
             stages[s].parameters[: len(row)] = row
             port.gain *= stage.gain
@@ -136,14 +162,14 @@ def is_ready(kernel_function: Any) -> bool:
     return bool(kernel_function.signatures) or is_cached(kernel_function)
 
 
-def one_stage(code, command, state, parameters, new_state):
+def one_stage(code, command, state, parameters, new_state):  # type: ignore[no-untyped-def]
     """One link of the dispatch from a stage's code to its step function."""
-    if code == own_code:  # noqa: F821  (bound by `compose`)
-        return own_step(command, state, parameters, new_state)  # noqa: F821
-    return other_stage(code, command, state, parameters, new_state)  # noqa: F821
+    if code == own_code:  # type: ignore[name-defined]  # noqa: F821  (bound by `compose`)
+        return own_step(command, state, parameters, new_state)  # type: ignore[name-defined]  # noqa: F821
+    return other_stage(code, command, state, parameters, new_state)  # type: ignore[name-defined]  # noqa: F821
 
 
-def no_stage(code, command, state, parameters, new_state):
+def no_stage(code, command, state, parameters, new_state):  # type: ignore[no-untyped-def]
     """The end of the dispatch."""
     return command
 

@@ -71,7 +71,7 @@ class FileStore(Store):
             if unit:
                 variable.units = unit
         for name, v in layout.variables.items():
-            packing = {"zlib": True, "complevel": 4} if v.kind == "f4" else {}
+            packing: dict[str, Any] = {"zlib": True, "complevel": 4} if v.kind == "f4" else {}
             chunks = (1, *layout.shape(v))
             variable = self.file.createVariable(name, v.kind, ("trial", *v.dims), chunksizes=chunks, **packing)
             variable.set_auto_mask(False)

@@ -63,7 +63,7 @@ def trials(scenario: Scenario, bench: Bench, compile: bool = True) -> Iterator[d
     """The trials of a scenario, one after the other, each as the variables that the result keeps of it."""
     kernel, classes = bench.kernel(scenario, compile)
     ports, stages = port_records(scenario, bench.step, classes)
-    q, rate = bench.initial_state()
+    modal = bench.initial_state()
     setting, controller, every = scenario.setting, scenario.controller, scenario.output.every
     memory = controller.begin(setting)
     for j in range(scenario.task.trials):
@@ -71,8 +71,8 @@ def trials(scenario: Scenario, bench: Bench, compile: bool = True) -> Iterator[d
         check_law(law)
         ports.damping, ports.barrier = law.damping, law.barrier
         inputs = bench.inputs(j, law)
-        record = empty_record(scenario.steps, len(ports), len(q), every)
-        done = kernel(bench.step, inputs, ports, stages, q, rate, every, record)
+        record = empty_record(scenario.steps, len(ports), bench.modes.count, every)
+        done = kernel(modal, bench.step, inputs, ports, stages, every, record)
         trial = Trial(j, record.y, record.v, record.command)
         memory = controller.learn(memory, trial, setting)
         yield {
@@ -97,7 +97,7 @@ def empty_record(steps: int, ports: int, modes: int, every: int) -> Record:
     return Record(*map(np.zeros, shapes))
 
 
-def variables(scenario: Scenario, bench: Bench, record: Record, disturbance: Array, ports: Array) -> dict[str, Array]:
+def variables(scenario: Scenario, bench: Bench, record: Record, disturbance: Array, ports: Any) -> dict[str, Array]:
     """What the result keeps of a trial: signals, the energy account, fields and peaks."""
     moved = np.diff(record.y, axis=0)
     fields = {name: record.q @ shapes.T for name, shapes in bench.shapes.items()}
@@ -125,16 +125,16 @@ def _port_peaks(record: Record, bench: Bench, field: str) -> list[float]:
     return [float(np.abs(record.y[:, p]).max()) for p, port in enumerate(bench.modes.ports) if port.field == field]
 
 
-def barrier_account(y: Array, ports: Array) -> dict[str, Array]:
+def barrier_account(y: Array, ports: Any) -> dict[str, Array]:
     """Energy of the barrier as the actuator's slope delivers it: gain alpha V(y), V = 1/4 ln^2(C^2 / (C^2 - y^2))."""
     scaled = np.where(ports.barrier > 0, y / ports.limit, 0.0)
     inside = np.abs(scaled) < 1
-    logarithm = -np.log1p(-np.where(inside, scaled, 0.0) ** 2)
+    logarithm = -np.log1p(-(np.where(inside, scaled, 0.0) ** 2))
     stored = np.where(inside, ports.gain * ports.barrier * logarithm**2 / 4, np.inf if np.any(ports.barrier > 0) else 0.0)
     return {"barrier_energy": stored.sum(axis=1)}
 
 
-def compliance_account(record: Record, ports: Array, dt: float) -> dict[str, Array]:
+def compliance_account(record: Record, ports: Any, dt: float) -> dict[str, Array]:
     """Energy that the ports' numerical compliance stores, at times, and what it dissipates, at steps (see `closure`)."""
     stored = ports.soft * dt * record.slow**2 / (2 * RELAXATION)
     lost = ports.soft * dt * (1 - RELAXATION / 2) * (record.delivered - record.slow[:-1]) ** 2

@@ -25,12 +25,12 @@ def draw_delivered(of: str, run: Result, other: Result | None) -> tuple[Figure, 
     figure = sheet(DOUBLE)
     axes = panel(figure, right=LOOP + 0.25)
     time_axis(axes, run)
-    value_axis(axes, f"{port.effort_words} [{port.effort}]")
     t, force = extremes(run, "delivered", port.index)
     axes.plot(t, force, color=ink, lw=0.7)
     low, high = min(float(force.min()), 0.0), max(float(force.max()), 0.0)
     margin = 0.16 * (high - low) or 1.0
     axes.set_ylim(low - margin, high + margin)
+    value_axis(axes, port.effort_words, port.effort)
     k = int(np.abs(force).argmax())
     level = high + margin / 2 if force[k] > 0 else low - margin / 2
     note_peak(axes, float(t[k]), float(force[k]), f"peak {quantity(float(force[k]), port.effort)}", ink, level)

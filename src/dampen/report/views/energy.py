@@ -35,7 +35,7 @@ def draw_energy(of: str, run: Result, other: Result | None) -> tuple[Figure, str
     if top > 0:
         log_axis(axes, "energy [J]", max(top * 10**-DECADES, low / 10), top * 2)
     else:
-        value_axis(axes, "energy [J]")
+        value_axis(axes, "energy", "J")
     legend_row(figure, handles)
     return figure, _sentence(run, energy, barrier)
 

@@ -33,7 +33,7 @@ def draw_field(of: str, run: Result, other: Result | None) -> tuple[Figure, str]
         axes = early = panel(figure, left=0.52, right=BAR, top=0.3)
     _heat_map(axes, of, run, run.trials, limit)
     early.set_ylabel(f"position {symbol('x')} [m]")
-    _colour_bar(figure, limit, f"{symbol(of, 'x, t')} [{unit}]")
+    _colour_bar(figure, limit, symbol(of, "x, t"), unit)
     return figure, _sentence(of, unit, run, other, limit)
 
 
@@ -50,7 +50,7 @@ def _heat_map(axes: Axes, of: str, run: Result, trials: int, limit: float) -> No
     )  # fmt: skip
 
 
-def _colour_bar(figure: Figure, limit: float, label: str) -> None:
+def _colour_bar(figure: Figure, limit: float, words: str, unit: str) -> None:
     """The scale of colours: a strip of an image, a third of the time that matplotlib's own takes."""
     axes = panel(figure, left=SINGLE - BAR + 0.1, right=BAR - 0.2, top=0.3)
     ramp = np.linspace(-1, 1, 256)[:, None]
@@ -61,7 +61,7 @@ def _colour_bar(figure: Figure, limit: float, label: str) -> None:
     axes.yaxis.tick_right()
     axes.yaxis.set_label_position("right")
     axes.tick_params(width=0.5, length=2)
-    value_axis(axes, label, steps=[1, 2, 5, 10])
+    value_axis(axes, words, unit, steps=(1, 2, 5, 10))
     axes.yaxis.labelpad = 2
 
 

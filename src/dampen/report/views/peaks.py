@@ -17,6 +17,7 @@ from dampen.report.views.field import field_peaks
 from dampen.simulation.result import Result
 
 SETTLED = 0.03
+MARKED = 60
 
 
 def draw_peaks(of: str, run: Result, other: Result | None) -> tuple[Figure, str]:
@@ -25,25 +26,34 @@ def draw_peaks(of: str, run: Result, other: Result | None) -> tuple[Figure, str]
     behind = None if uncontrolled(run) else other
     figure = sheet()
     axes = panel(figure, top=0.3)
-    trials = np.arange(run.trials)
+    trials, few = np.arange(run.trials), run.trials <= MARKED
     handles = []
     if behind is not None:
         grey = field_peaks(behind, of)
-        style: dict[str, Any] = {"color": UNCONTROLLED, "marker": "s", "ms": 2.8, "mfc": "white", "mew": 0.7, "lw": 0.7}
+        style: dict[str, Any] = {
+            "color": UNCONTROLLED,
+            "marker": "s" if few else "",
+            "ms": 2.8,
+            "mfc": "white",
+            "mew": 0.7,
+            "lw": 0.7,
+        }
         handles += axes.plot(np.arange(len(grey)), _positive(grey), label="no control", zorder=2, **style)
     ink, name = (UNCONTROLLED, "no control") if uncontrolled(run) else (colour(unit), "with control")
-    handles = axes.plot(trials, _positive(peaks), color=ink, marker="o", ms=3.2, lw=0.9, label=name, zorder=3) + handles
+    handles = (
+        axes.plot(trials, _positive(peaks), color=ink, marker="o" if few else "", ms=3.2, lw=0.9, label=name, zorder=3) + handles
+    )
     handles.append(axes.axhline(SETTLED * peaks[0], color=INK, lw=0.7, ls=":", label="3 % of trial 0", zorder=1))
     axes.set_xlabel("trial")
     axes.xaxis.set_major_locator(MaxNLocator(6, integer=True, steps=[1, 2, 5, 10]))
     pad = max(0.5, 0.03 * run.trials)
     axes.set_xlim(-pad, max(run.trials - 1, 1) + pad)
-    label = f"largest $|${symbol(of, 'x, t')}$|$ [{unit}]".replace("$$", "")
+    words = f"largest $|${symbol(of, 'x, t')}$|$".replace("$$", "")
     everything = np.concatenate([peaks, SETTLED * peaks[:1], *([] if behind is None else [field_peaks(behind, of)])])
     if peaks.max() > 0:
-        log_axis(axes, label, 0.6 * everything[everything > 0].min(), 1.7 * everything.max())
+        log_axis(axes, f"{words} [{unit}]", 0.4 * everything[everything > 0].min(), 1.7 * everything.max())
     else:
-        value_axis(axes, label)
+        value_axis(axes, words, unit)
     _note_ends(axes, peaks, unit, ink)
     legend_row(figure, handles)
     return figure, _sentence(of, unit, run, behind, peaks)
@@ -60,7 +70,8 @@ def _note_ends(axes: Axes, peaks: np.ndarray, unit: str, ink: str) -> None:
     for j, side, shift in ends:
         if peaks[j] > 0:
             text = quantity(peaks[j], unit)
-            axes.annotate(text, (j, peaks[j]), shift, textcoords="offset points", ha=side, fontsize=SMALL, color=ink)
+            box = {"boxstyle": "square,pad=0.1", "fc": "white", "ec": "none", "alpha": 0.85}
+            axes.annotate(text, (j, peaks[j]), shift, textcoords="offset points", ha=side, fontsize=SMALL, color=ink, bbox=box)
 
 
 def _sentence(of: str, unit: str, run: Result, behind: Result | None, peaks: np.ndarray) -> str:

@@ -22,7 +22,6 @@ def draw_port(of: str, run: Result, other: Result | None) -> tuple[Figure, str]:
     figure = sheet()
     axes = panel(figure)
     time_axis(axes, run)
-    value_axis(axes, port.label)
     t, y = extremes(run, "y", port.index)
     handles = axes.plot(t, y, color=ink, lw=0.8, label="no control" if uncontrolled(run) else "with control", zorder=3)
     top = float(np.abs(y).max())
@@ -35,6 +34,7 @@ def draw_port(of: str, run: Result, other: Result | None) -> tuple[Figure, str]:
     drawn = max(top, limit if shown else 0.0) or 1.0
     reach = 1.34 * drawn
     axes.set_ylim(-reach, reach)
+    value_axis(axes, port.label, port.motion)
     if shown:
         handles.append(constraint(axes, limit, port.motion))
     k = int(np.abs(y).argmax())

@@ -89,7 +89,9 @@ def _inputs_bounded(result: Result) -> Iterator[Claim]:
 
 
 def _theorem_1(result: Result) -> Iterator[Claim]:
-    names = [n for n in ("y", "v", "command", "delivered", "zeta", "d_hat", "energy", "barrier_energy") if n in result.layout.variables]
+    names = [
+        n for n in ("y", "v", "command", "delivered", "zeta", "d_hat", "energy", "barrier_energy") if n in result.layout.variables
+    ]
     trends = {name: _trend(largest(result, name)) for name in names}
     growing = [f"{name} +{late - 1:.0%}" for name, (_, late) in trends.items() if late is not None and late > GROWTH]
     finite = all(np.isfinite(top) for top, _ in trends.values())
@@ -102,15 +104,22 @@ def _theorem_1(result: Result) -> Iterator[Claim]:
 
 def _theorem_2(result: Result, baseline: Result) -> Iterator[Claim]:
     listed = ", ".join(f"{value:g}" for value in LAMBDAS)
-    for id, jump, how in (("T2a", False, "the jump of its weight left out, as in (46)"), ("T2b", True, "the jump of its weight counted")):
+    for id, jump, how in (
+        ("T2a", False, "the jump of its weight left out, as in (46)"),
+        ("T2b", True, "the jump of its weight counted"),
+    ):
         count = rises(result, jump=jump)
         measured = "no such law" if count is None else "rises: " + ", ".join(str(n) for n in count.values())
         yield Claim(
             id, f"E_j(T_b) does not increase along the trials; {how}", f"no rise at lambda = {listed} 1/s",
             measured, None if count is None or result.trials < 2 else not any(count.values()),
         )  # fmt: skip
-    fraction = max(largest(result, "y", port).max() / limit for (_, port, *_), limit in zip(CHANNELS, result.scenario.limits, strict=True))
-    yield Claim("T2c", "The outputs keep the constraint", "|y| < C at every step", f"largest |y|/C {fraction:.3f}", bool(fraction < 1))
+    fraction = max(
+        largest(result, "y", port).max() / limit for (_, port, *_), limit in zip(CHANNELS, result.scenario.limits, strict=True)
+    )
+    yield Claim(
+        "T2c", "The outputs keep the constraint", "|y| < C at every step", f"largest |y|/C {fraction:.3f}", bool(fraction < 1)
+    )
     last = min(result.trials, baseline.trials) - 1
     left = max(field_rms(result, field, last) / field_rms(baseline, field, last) for field, *_ in CHANNELS)
     yield Claim(
