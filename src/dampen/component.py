@@ -120,8 +120,9 @@ def parameters(cls: type) -> list[Parameter]:
     found = []
     for f in fields(cls):
         base, extras = split_hint(hints[f.name])
-        required = f.default is MISSING and f.default_factory is MISSING
-        default = None if required else getattr(cls(), f.name)
+        made = f.default_factory is not MISSING
+        required = f.default is MISSING and not made
+        default: Any = f.default_factory() if made else None if required else f.default  # type: ignore[misc]
         unit = next((e.unit for e in extras if isinstance(e, Unit)), "")
         doc = next((e.documentation for e in extras if isinstance(e, Doc)), "")
         found.append(Parameter(f.name, _type_name(base), default, required, unit, _range(extras), doc))
@@ -148,7 +149,7 @@ def _model(cls: type) -> type[BaseModel]:
     for f in fields(cls):
         base, extras = split_hint(hints[f.name])
         bounds = {key: getattr(e, key) for e in extras for kind, key, _ in _BOUNDS if isinstance(e, kind)}
-        checked: Any = pydantic.InstanceOf.__class_getitem__(base) if dataclasses.is_dataclass(base) else base
+        checked: Any = pydantic.InstanceOf.__class_getitem__(base) if dataclasses.is_dataclass(base) else base  # type: ignore[type-arg]
         declared[f.name] = (Annotated[checked, pydantic.Field(**bounds)] if bounds else checked, ...)
     return pydantic.create_model(cls.__name__, __config__=config, **declared)
 

@@ -30,7 +30,8 @@ PORT = np.dtype(
         # the port as the step begins
         ("y", float), ("log_y", float), ("v_free", float), ("slow", float),
         # what the closure finds, and its working values
-        ("force", float), ("command", float), ("v_law", float), ("slope", float), ("middle", float), ("held", float), ("guess", float), ("v_others", float),
+        ("force", float), ("command", float), ("v_law", float), ("slope", float), ("middle", float), ("held", float),
+        ("guess", float), ("v_others", float),
     ]
 )  # fmt: skip
 STAGE = np.dtype(
@@ -48,9 +49,8 @@ STAGE = np.dtype(
 # vector instructions without a check. Rows are an odd number of cache lines long, so that they do not compete for one place
 # in the cache. q+ = c11 q + c12 q' + psi a and q'+ = c21 q + c22 q' + c12 a is the exact solution over one step of length dt
 # under a held modal force a; `b0` and `b1` are the port vectors of the first two ports, zero where there is no such port.
-MODAL = np.dtype(
-    [(row, *_ROW) for row in ("q", "rate", "c11", "c12", "c21", "c22", "psi", "omega2", "b0", "b1", "a")] + [("count", int)]
-)
+_ROWS = ("q", "rate", "c11", "c12", "c21", "c22", "psi", "omega2", "b0", "b1", "a")
+MODAL = np.dtype([*((row, *_ROW) for row in _ROWS), ("count", int)])
 
 
 class Step(NamedTuple):
