@@ -33,11 +33,11 @@ def kernel_seconds(scenario: dampen.Scenario, bench: Bench) -> tuple[float, floa
     modal = bench.initial_state()
     setting, controller = scenario.setting, scenario.controller
     memory, seconds = controller.begin(setting), 0.0
+    record = empty_record(scenario.steps, len(ports), bench.modes.count, scenario.output.every)
     for j in range(scenario.task.trials):
         law = controller.law(memory, setting)
         ports.damping, ports.barrier = law.damping, law.barrier
         inputs = bench.inputs(j, law)
-        record = empty_record(scenario.steps, len(ports), bench.modes.count, scenario.output.every)
         begin = time.perf_counter()
         kernel(modal, bench.step, inputs, ports, stages, scenario.output.every, record)
         seconds += time.perf_counter() - begin

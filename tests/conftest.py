@@ -2,6 +2,10 @@
 
 from __future__ import annotations
 
+import os
+
+os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")  # before NumPy: test processes side by side must not fight for cores
+
 from collections.abc import Callable
 
 import pytest

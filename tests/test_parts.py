@@ -15,6 +15,7 @@ import dampen
 from dampen.analysis.claims import Claim, verdict_sentence
 from dampen.controllers.base import Setting, Trial
 from dampen.controllers.dual_loop_ailc import AssumedBacklash, FlankInverse
+from dampen.scenarios.he2017.claims import _trend
 from dampen.scenarios.he2017.composite_energy import composite_energy
 from dampen.simulation.barrier import EDGE, barrier_gradient, log_ratio, log_ratio_at
 from dampen.stage import Stage
@@ -198,9 +199,21 @@ def test_composite_energy_with_its_jump_is_the_integral_itself(run: Callable[...
     e4 = (weight[:, None] * xi**2).sum() / 2
     e5 = (weight[:, None] * (0.09 - result["d_hat"][j]) ** 2).sum() / (2 * 0.1)
     expected = math.exp(-decay * 2) * (result["energy"][j][-1] + e3) + e4 + e5
-    assert composite_energy(result, decay, jump=True)[j] == pytest.approx(expected, rel=1e-12)
-    no_weight = composite_energy(result, 0.0, jump=False) - composite_energy(result, 0.0, jump=True)
+    assert composite_energy(result, jump=True, lambdas=(decay,))[j, 0] == pytest.approx(expected, rel=1e-12)
+    no_weight = composite_energy(result, jump=False)[:, 0] - composite_energy(result, jump=True)[:, 0]
     np.testing.assert_allclose(no_weight, 0, atol=1e-9)
+
+
+def test_a_trend_from_nothing_is_growth() -> None:
+    assert _trend(np.array([0.0] * 5 + [1, 2, 3, 4, 5])) == (5.0, math.inf)
+    assert _trend(np.zeros(10)) == (0.0, 1.0)
+
+
+def test_at_rest_nothing_divides_by_zero() -> None:
+    rest = scenario("disturbance.kind=none", "plant.initial={}", "task.trials=2")
+    result, baseline = dampen.simulate(rest), dampen.simulate(rest.with_controller(dampen.NoControl()))
+    assert len(dampen.check_claims(result, baseline)) == 17
+    assert not np.any(result["energy"])
 
 
 def test_the_verdict_names_what_fails() -> None:

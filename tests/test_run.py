@@ -139,3 +139,30 @@ def test_thirty_times_the_initial_velocity_stays_finite(reading: str) -> None:
     for name in result.layout.variables:
         assert np.all(np.isfinite(result[name])), name
     assert np.abs(result["y"]).max() < 0.2
+
+
+@pytest.mark.parametrize("reading", READINGS)
+@pytest.mark.parametrize("speed", ["10.0", "30.0"])
+def test_beyond_the_edge_of_the_barrier_a_passive_law_adds_no_energy(reading: str, speed: str) -> None:
+    """More energy than the barrier can hold in double precision: the constraint is lost by a hair, and said to be; no more."""
+    changes = (f"plant.initial.w_rate=[{speed}]", "disturbance.kind=none", "task.trials=2", READINGS[reading])
+    result = dampen.simulate(scenario(*changes))
+    for name in result.layout.variables:
+        if name != "barrier_energy":
+            assert np.all(np.isfinite(result[name])), name
+    assert np.max(result["energy"]) < 1.05 * result["energy"][0][0]
+    assert np.abs(result["y"]).max() < 0.2 * (1 + 1e-6)
+    lost = bool(np.abs(result["y"]).max() >= 0.2)
+    assert lost == any("was lost" in line for line in result.warnings)
+
+
+def test_a_lagging_actuator_pumps_but_never_without_bound() -> None:
+    wide = "actuator.all.chain=[{kind='backlash', slope=0.3, right=100.0, left=-200.0}]"
+    result = dampen.simulate(scenario(wide, "task.trials=3"))
+    assert np.all(np.isfinite(result["command"]))
+    assert np.max(result["energy"]) < 1e4
+
+
+def test_few_modes_that_start_beyond_the_barrier_are_refused() -> None:
+    with pytest.raises(dampen.ArgumentError, match="leave room for tip_w at the start"):
+        dampen.simulate(scenario("numerics.modes=1"))

@@ -68,10 +68,11 @@ def run(
     from dampen.scenarios.read import read_scenario
 
     experiment = read_scenario(scenario, set_ or ())
+    bench = make_bench(experiment)
     folder = make_folder(folder, experiment.name)
-    result, baseline = run_both(experiment, folder)
+    result, baseline = run_both(bench, folder)
     for line in result.warnings:
-        err.print(f"Note: {line}")
+        err.print(f"Note: {line}", markup=False)
     claims = check_claims(result, baseline)
     if report and result.trials:
         from dampen.report import write_report
@@ -131,23 +132,34 @@ def make_folder(folder: Path | None, name: str) -> Path:
         folder = next(path for path in candidates if not path.exists())
     try:
         folder.mkdir(parents=True, exist_ok=True)
-        probe = folder / ".dampen"
-        probe.touch()
-        probe.unlink()
+        for old in ("report.html", "uncontrolled.nc", "result.nc", "scenario.toml"):
+            (folder / old).unlink(missing_ok=True)
+        (folder / "scenario.toml").touch()
     except OSError as error:
-        raise ArgumentError(f"Output folder `{folder}` cannot be written: {error.strerror}.") from None
+        raise ArgumentError(f"Output folder `{folder}` cannot be written: {error.strerror or error}.") from None
     return folder
 
 
-def run_both(scenario: Scenario, folder: Path) -> tuple[Result, Result | None]:
+def make_bench(scenario: Scenario) -> Bench:
+    """Set the plant up, and refuse what cannot be resolved before anything is written."""
+    from dampen.simulation.resolution import check_resolution
+    from dampen.simulation.setup import Bench
+    from dampen.simulation.trials import check_start
+
+    bench = Bench(scenario)
+    check_resolution(scenario, bench.modes)
+    check_start(scenario, bench)
+    return bench
+
+
+def run_both(bench: Bench, folder: Path) -> tuple[Result, Result | None]:
     """The run under the scenario's controller and, beside it, the one without control; both into files as they go."""
     from dampen.controllers.none import NoControl
-    from dampen.simulation.setup import Bench
     from dampen.simulation.stores import FileStore
     from dampen.simulation.trials import simulate
     from dampen.toml import to_toml
 
-    bench = Bench(scenario)
+    scenario = bench.scenario
     (folder / "scenario.toml").write_text(to_toml(scenario), encoding="utf-8")
     compile_ahead(scenario, bench)
     controlled = not isinstance(scenario.controller, NoControl)
@@ -194,24 +206,27 @@ def show_outcome(result: Result, claims: list, note: str, folder: Path) -> None:
     """One table, one sentence of verdict, and where everything is."""
     from rich import box
     from rich.table import Table
+    from rich.text import Text
 
     from dampen.analysis.claims import verdict_sentence
 
     if result.status != "complete":
-        err.print(f"The run broke off ({result.status}) after {result.trials} of {result.scenario.task.trials} trials.")
+        err.print(
+            f"The run broke off ({result.status}) after {result.trials} of {result.scenario.task.trials} trials.", markup=False
+        )
     if claims:
         table = Table(box=box.SIMPLE_HEAD, pad_edge=False)
         for heading in ("", "Claim", "Measured", "Verdict"):
             table.add_column(heading, overflow="fold")
         colours = {"PASS": "green", "FAIL": "bold red", "n/a": "dim"}
         for claim in claims:
-            table.add_row(claim.id, claim.statement, claim.measured, f"[{colours[claim.verdict]}]{claim.verdict}[/]")
+            table.add_row(claim.id, claim.statement, claim.measured, Text(claim.verdict, colours[claim.verdict]))
         Console(highlight=False, width=None if out.is_terminal else 140).print(table)
-        out.print(verdict_sentence(claims))
+        out.print(verdict_sentence(claims), markup=False)
     if note:
-        out.print(note, style="dim")
+        out.print(note, style="dim", markup=False)
     page = folder / "report.html"
-    out.print(f"Report: {page}" if page.exists() else f"Results: {folder / 'result.nc'}")
+    out.print(f"Report: {page}" if page.exists() else f"Results: {folder / 'result.nc'}", markup=False)
 
 
 if __name__ == "__main__":

@@ -40,11 +40,11 @@ def read_scenario(source: str | Path, overrides: Sequence[str] = ()) -> Scenario
 
 def source_text(source: str | Path) -> str:
     """The text of a shipped scenario or of a file."""
-    path = shipped().get(str(source), Path(source))
-    if not path.exists() and path.suffix != ".toml" and len(path.parts) == 1:
-        known = shipped()
-        raise ArgumentError(f"Scenario `{source}` is neither a shipped scenario nor a file{suggestion(str(source), known)}")
+    known = shipped()
+    path = known.get(str(source), Path(source))
     try:
+        if not path.exists() and path.suffix != ".toml" and len(path.parts) == 1:
+            raise ArgumentError(f"Scenario `{source}` is neither a shipped scenario nor a file{suggestion(str(source), known)}")
         return path.read_text(encoding="utf-8")
     except (OSError, UnicodeDecodeError) as error:
         reason = error.strerror if isinstance(error, OSError) else "not UTF-8 text"
@@ -55,7 +55,7 @@ def parse(text: str, name: str) -> Table:
     """TOML text as nested tables."""
     try:
         return tomllib.loads(text)
-    except tomllib.TOMLDecodeError as error:
+    except (ValueError, RecursionError) as error:  # also numbers too long, tables too deep
         raise ArgumentError(f"Scenario file `{name}` is not valid TOML: {error}.") from None
 
 
@@ -64,9 +64,10 @@ def override(table: Table, settings: Sequence[str]) -> Table:
     pairs = []
     for setting in settings:
         path, equals, text = setting.partition("=")
-        if not equals or not path.strip():
+        keys = [key.strip() for key in path.split(".")]
+        if not equals or not all(keys) or keys == ["kind"]:
             raise ArgumentError(f"Option `--set` must look like table.key=value, but is {setting!r}.")
-        pairs.append((path.strip().split("."), _value(path.strip(), text.strip())))
+        pairs.append((keys, _value(path.strip(), text.strip())))
     for keys, value in sorted(pairs, key=lambda pair: pair[0][-1] != "kind"):
         target: Any = table
         for key in keys[:-1]:
@@ -82,11 +83,13 @@ def override(table: Table, settings: Sequence[str]) -> Table:
 
 def _value(path: str, text: str) -> Any:
     try:
-        return tomllib.loads(f"value = {text}")["value"]
-    except tomllib.TOMLDecodeError:
+        table = tomllib.loads(f"value = {text}")
+        if list(table) == ["value"]:
+            return table["value"]
+    except (ValueError, RecursionError):
         if BARE_WORD.fullmatch(text):
             return text
-        raise ArgumentError(f"Option `--set {path}` must have a TOML value, but has {text!r}.") from None
+    raise ArgumentError(f"Option `--set {path}` must have a TOML value, but has {shown(text)}.")
 
 
 def _inside(target: Any, key: str, keys: list[str]) -> Any:

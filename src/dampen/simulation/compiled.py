@@ -8,7 +8,6 @@ from __future__ import annotations
 
 import hashlib
 from collections.abc import Callable, Iterator
-from functools import partial
 from types import CodeType, FunctionType
 from typing import Any
 
@@ -25,16 +24,14 @@ def bind(function: Callable[..., Any], **names: Any) -> FunctionType:
         function.__closure__,
     )
     copy.__module__, copy.__qualname__ = function.__module__, function.__qualname__
+    copy.__dict__.update(function.__dict__)
     return copy
 
 
 def compiled(function: Callable[..., Any]) -> Any:
     """`function` and all plain functions that it calls, compiled by numba; call it like the plain one."""
-    import numba
-
     assert isinstance(function, FunctionType)
-    options: dict[str, Any] = {"nogil": True, "error_model": "numpy", "fastmath": {"reassoc", "contract", "nsz"}, "_nrt": False}
-    dispatcher = numba.njit(**options)(_with_compiled_callees(function, partial(numba.njit, forceinline=True, **options)))
+    dispatcher = _jit(function, inline=False)(_with_compiled_callees(function))
     _cache_under(dispatcher, _key(function))
     return dispatcher
 
@@ -45,8 +42,23 @@ def is_cached(dispatcher: Any) -> bool:
     return file is not None and bool(file._load_index())
 
 
-def _with_compiled_callees(function: FunctionType, jit: Any) -> FunctionType:
-    return bind(function, **{name: jit(_with_compiled_callees(callee, jit)) for name, callee in _callees(function)})
+def reassociated(function: Callable[..., Any]) -> Callable[..., Any]:
+    """Mark a function whose sums may be taken in any order, and so in vector instructions; all others round as plain Python."""
+    function.__dict__["reassociated"] = True
+    return function
+
+
+def _jit(function: FunctionType, inline: bool) -> Any:
+    import numba
+
+    options: dict[str, Any] = {"nogil": True, "error_model": "numpy", "_nrt": False}
+    if function.__dict__.get("reassociated"):
+        options["fastmath"] = {"reassoc", "contract", "nsz"}
+    return numba.njit(**options, forceinline=True) if inline else numba.njit(**options)
+
+
+def _with_compiled_callees(function: FunctionType) -> FunctionType:
+    return bind(function, **{name: _jit(f, inline=True)(_with_compiled_callees(f)) for name, f in _callees(function)})
 
 
 def _callees(function: FunctionType) -> Iterator[tuple[str, FunctionType]]:
@@ -69,7 +81,7 @@ def _key(function: FunctionType) -> str:
             add_code(constant) if isinstance(constant, CodeType) else digest.update(repr(constant).encode())
 
     def add(f: FunctionType) -> None:
-        digest.update(f.__qualname__.encode())
+        digest.update(f.__qualname__.encode() + repr(f.__dict__).encode())
         add_code(f.__code__)
         for name in f.__code__.co_names:
             value = f.__globals__.get(name)

@@ -12,6 +12,7 @@ import numpy as np
 
 from dampen.simulation.barrier import EDGE, log_ratio, log_ratio_at
 from dampen.simulation.closure import RELAXATION
+from dampen.simulation.compiled import reassociated
 from dampen.simulation.ports import close_ports, velocity
 
 Array = np.ndarray
@@ -81,7 +82,8 @@ class Inputs(NamedTuple):
 
 class Record(NamedTuple):
     """What a trial leaves: y, slow (steps + 1, ports) and energy (steps + 1,) on times; v, command, delivered (steps, ports)
-    and work_load (steps,) on steps; q at every `every`-th time, (times, modes)."""
+    and work_load (steps,) on steps; q at every `every`-th time, (times, modes); the number of steps whose closure did not
+    settle, (1,)."""
 
     y: Array
     slow: Array
@@ -91,6 +93,7 @@ class Record(NamedTuple):
     delivered: Array
     work_load: Array
     q: Array
+    unsettled: Array
 
 
 def run_trial(modal, step, inputs, ports, stages, every, record):
@@ -99,12 +102,14 @@ def run_trial(modal, step, inputs, ports, stages, every, record):
     Returns the number of steps done: fewer than there are where the motion stops being finite.
     """
     m, dt = modal[0], step.dt
+    record.unsettled[0] = 0.0
     steps, n = inputs.disturbance.shape
     start(m, step, ports, record)
     snapshot, wait = 0, every
     for k in range(steps):
         free_motion(k, m, step, inputs, ports)
-        close_ports(ports, stages, step.g, step.coupling, dt)
+        if not close_ports(ports, stages, step.g, step.coupling, dt):
+            record.unsettled[0] += 1
         record.work_load[k], record.energy[k + 1] = apply(k, m, step, inputs, ports)
         for p in range(n):
             end_step(k, p, ports, stages, step, record)
@@ -148,6 +153,7 @@ def free_motion(k, m, step, inputs, ports):
         ports[p].coulomb = inputs.coulomb[k, p]
 
 
+@reassociated
 def two_velocities(m, q_row, rate_row, next_q_row, next_rate_row):
     """v_q q + v_rate q' of two ports in one go."""
     n, v, v_next = m.count, 0.0, 0.0
@@ -172,6 +178,7 @@ def apply(k, m, step, inputs, ports):
     return move(m, load, first, second)
 
 
+@reassociated
 def move(m, load, first, second):
     """The loop over modes: `a` holds all modal forces but those of the first two ports."""
     work, energy = 0.0, 0.0

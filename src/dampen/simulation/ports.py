@@ -12,12 +12,12 @@ from __future__ import annotations
 from dampen.simulation.closure import confirm, port_force
 
 NEWTON_ROUNDS = 20
-ROUNDS = 10_000
+ROUNDS = 300
 SETTLED = 1e-11
 
 
 def close_ports(ports, stages, g, coupling, dt):
-    """Solve the closure of every port; `force` brings the guess, `coupling` (ports, ports) is scratch."""
+    """Solve the closure of every port; `force` brings the guess, `coupling` (ports, ports) is scratch. True if settled."""
     n = len(ports)
     for attempt in range(ROUNDS):
         forward(ports, stages, g, coupling, dt, attempt < NEWTON_ROUNDS)
@@ -33,7 +33,8 @@ def close_ports(ports, stages, g, coupling, dt):
                 moved = abs(g[r, p] * (ports[p].force - predicted))
                 settled &= r == p or moved <= SETTLED * g[r, r] * (abs(ports[r].force) + abs(predicted))
         if settled or unmoved(ports):
-            return
+            return True
+    return False
 
 
 def unmoved(ports):

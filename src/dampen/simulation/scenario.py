@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 from typing import Annotated, Literal
@@ -19,13 +20,14 @@ from dampen.stage import Stage
 Positive = Annotated[float, Gt(0)]
 NonNegative = Annotated[float, Ge(0)]
 LARGEST_TRIAL = 4.0
+NAME = re.compile(r"\w[\w.-]{0,59}")
 
 
 @dataclass(frozen=True)
 class Task(Component):
     """What is to be done: how many trials of what length, and within which constraint."""
 
-    trials: Annotated[int, Ge(1), Doc("number of trials")] = 25
+    trials: Annotated[int, Ge(1), Le(100_000), Doc("number of trials")] = 25
     trial_duration: Annotated[float, Gt(0), Unit("s"), Doc("duration T_b of a trial")] = 2.0
     start: Annotated[Literal["chained"], Doc("a trial starts in the state in which the last one ended")] = "chained"
     constraint: Annotated[dict[str, Positive], Doc("for each port the displacement or angle C to stay below [m, rad]")] = field(
@@ -39,7 +41,7 @@ class Numerics(Component):
 
     discretisation: Annotated[Discretisation, Doc("in space")] = "spectral"
     modes: Annotated[int, Ge(1), Le(1000), Doc("number of modes kept")] = 80
-    points: Annotated[int, Ge(3), Le(3000), Doc("grid points of the finite-difference grid, clamp included")] = 51
+    points: Annotated[int, Ge(3), Le(1001), Doc("grid points of the finite-difference grid, clamp included")] = 51
     step: Annotated[float, Gt(0), Unit("s"), Doc("time step; must divide the trial's duration")] = 0.001
     mode: Annotated[Literal["continuous"], Doc("the law acts continuously in time")] = "continuous"
 
@@ -48,7 +50,7 @@ class Numerics(Component):
 class Output(Component):
     """What is kept of the fields; port signals and energies are kept at every step."""
 
-    points: Annotated[int, Ge(2), Doc("points along the structure")] = 51
+    points: Annotated[int, Ge(2), Le(5000), Doc("points along the structure")] = 51
     every: Annotated[int, Ge(1), Doc("steps from one snapshot to the next; must divide the number of steps")] = 10
 
 
@@ -74,6 +76,8 @@ class Scenario(Component):
     claims: Literal["he2017"] | None = None
 
     def check(self) -> None:
+        if not NAME.fullmatch(self.name):
+            raise wrong("name", "be 1 to 60 letters, digits, dots, dashes or underscores, since it names a folder", self.name)
         names = [port.name for port in self.plant.ports]
         for table, known in (("task.constraint", names), ("bounds", ["f", *names]), ("actuators", names)):
             given: Mapping[str, object] = self.task.constraint if table == "task.constraint" else getattr(self, table)
@@ -81,7 +85,7 @@ class Scenario(Component):
                 if key not in known:
                     raise ArgumentError(f"Argument `{table}.{key}` is not a port of this plant; known here: {', '.join(known)}.")
         ratio = self.task.trial_duration / self.numerics.step
-        if abs(ratio - round(ratio)) > 1e-9 * ratio or round(ratio) < 1:
+        if not np.isfinite(ratio) or abs(ratio - round(ratio)) > 1e-9 * ratio or round(ratio) < 1:
             raise wrong("numerics.step", f"divide task.trial_duration = {self.task.trial_duration:g} s", self.numerics.step)
         size = self.steps * (self.numerics.modes + 60) * 8 / 2**30
         if size > LARGEST_TRIAL:

@@ -9,6 +9,7 @@ from typing import Any
 
 import numpy as np
 
+from dampen.component import ArgumentError
 from dampen.simulation.result import Layout, Result
 from dampen.version import version
 
@@ -61,7 +62,10 @@ class FileStore(Store):
         import netCDF4
 
         self.layout, self.warnings = layout, warnings
-        self.file = netCDF4.Dataset(self.path, "w", format="NETCDF4")
+        try:
+            self.file = netCDF4.Dataset(self.path, "w", format="NETCDF4")
+        except OSError as error:
+            raise ArgumentError(f"Result file `{self.path}` cannot be written: {error.strerror or error}.") from None
         self.file.createDimension("trial", None)
         for name, size in layout.sizes.items():
             self.file.createDimension(name, size)

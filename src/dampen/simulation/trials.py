@@ -7,7 +7,7 @@ from typing import Any
 
 import numpy as np
 
-from dampen.component import ArgumentError
+from dampen.component import ArgumentError, wrong
 from dampen.controllers.base import PortLaw, Trial
 from dampen.simulation.closure import RELAXATION
 from dampen.simulation.kernel import Record
@@ -42,12 +42,14 @@ def simulate(
     """
     bench = bench or Bench(scenario)
     warnings = check_resolution(scenario, bench.modes)
+    check_start(scenario, bench)
     store = store or MemoryStore()
     store.open(Layout.of(scenario, bench.x), warnings)
     status, done = "complete", 0
     try:
         for record in trials(scenario, bench, compile):
             store.write(done, record)
+            note_trouble(scenario, done, record, warnings)
             if record["status"] != FINE:
                 status = "diverged"
                 break
@@ -60,26 +62,55 @@ def simulate(
 
 
 def trials(scenario: Scenario, bench: Bench, compile: bool = True) -> Iterator[dict[str, Any]]:
-    """The trials of a scenario, one after the other, each as the variables that the result keeps of it."""
+    """The trials of a scenario, one after the other, each as the variables that the result keeps of it.
+
+    The arrays are used again for the next trial: copy what is to be kept.
+    """
     kernel, classes = bench.kernel(scenario, compile)
     ports, stages = port_records(scenario, bench.step, classes)
     modal = bench.initial_state()
     setting, controller, every = scenario.setting, scenario.controller, scenario.output.every
     memory = controller.begin(setting)
+    record = empty_record(scenario.steps, len(ports), bench.modes.count, every)
     for j in range(scenario.task.trials):
         law = controller.law(memory, setting)
         check_law(law)
         ports.damping, ports.barrier = law.damping, law.barrier
         inputs = bench.inputs(j, law)
-        record = empty_record(scenario.steps, len(ports), bench.modes.count, every)
         done = kernel(modal, bench.step, inputs, ports, stages, every, record)
-        trial = Trial(j, record.y, record.v, record.command)
+        trial = Trial(j, record.y.copy(), record.v.copy(), record.command.copy())
         memory = controller.learn(memory, trial, setting)
         yield {
             **variables(scenario, bench, record, inputs.disturbance, ports),
             **memory,
             "status": FINE if done == scenario.steps else BROKEN,
+            "unsettled": int(record.unsettled[0]),
         }
+
+
+def check_start(scenario: Scenario, bench: Bench) -> None:
+    """A barrier needs the tip inside it, as the modes have it: few modes can put it beyond a shape that was inside."""
+    if not scenario.controller.uses_barrier:
+        return
+    modal = bench.initial_state()[0]
+    for port, row, limit in zip(bench.modes.ports, bench.modes.b, scenario.limits, strict=True):
+        y = float(row @ modal.q[: modal.count])
+        if not abs(y) < (1 - 1e-9) * limit:
+            raise wrong("task.constraint", f"leave room for {port.name} at the start: |y| < {limit:.9g}", y)
+
+
+def note_trouble(scenario: Scenario, trial: int, record: dict[str, Any], warnings: list[str]) -> None:
+    """Add to the warnings what went wrong in a trial; each kind of trouble is told once, where it began."""
+    if scenario.controller.uses_barrier:
+        for p, (port, limit) in enumerate(zip(scenario.plant.ports, scenario.limits, strict=True)):
+            beyond = np.flatnonzero(~(np.abs(record["y"][:, p]) < limit))
+            told = f"The constraint of {port.name} was lost"
+            if len(beyond) and not any(line.startswith(told) for line in warnings):
+                warnings.append(f"{told}, first at t = {beyond[0] * scenario.numerics.step:.4g} s of trial {trial}.")
+    if record["unsettled"] and not any("did not settle" in line for line in warnings):
+        warnings.append(
+            f"The forces at the ports did not settle in {record['unsettled']} steps of trial {trial}: do not trust this run."
+        )
 
 
 def check_law(law: PortLaw) -> None:
@@ -93,7 +124,7 @@ def check_law(law: PortLaw) -> None:
 def empty_record(steps: int, ports: int, modes: int, every: int) -> Record:
     """Arrays for the kernel to fill."""
     on_times, on_steps = (steps + 1, ports), (steps, ports)
-    shapes = (on_times, on_times, (steps + 1,), on_steps, on_steps, on_steps, (steps,), (steps // every + 1, modes))
+    shapes = (on_times, on_times, (steps + 1,), on_steps, on_steps, on_steps, (steps,), (steps // every + 1, modes), (1,))
     return Record(*map(np.zeros, shapes))
 
 
