@@ -61,7 +61,7 @@ def of_dampen(reading: str) -> list[tuple[str, float, float]]:
 
     name = "designed" if reading == "true" else "direct"
     return [
-        (f"dampen, kernel ({name})", *best(lambda: kernel_seconds(scenario, bench), 7)),
+        (f"dampen, kernel ({name})", *best(lambda: kernel_seconds(scenario, bench), 20)),
         (f"dampen, simulate() ({name})", *best(whole, 3)),
     ]
 

@@ -198,9 +198,13 @@ def test_composite_energy_with_its_jump_is_the_integral_itself(run: Callable[...
     xi = result["zeta"][j - 1] - result["v"][j]
     e4 = (weight[:, None] * xi**2).sum() / 2
     e5 = (weight[:, None] * (0.09 - result["d_hat"][j]) ** 2).sum() / (2 * 0.1)
+    both = composite_energy(result, (decay,))
+    assert both is not None
     expected = math.exp(-decay * 2) * (result["energy"][j][-1] + e3) + e4 + e5
-    assert composite_energy(result, jump=True, lambdas=(decay,))[j, 0] == pytest.approx(expected, rel=1e-12)
-    no_weight = composite_energy(result, jump=False)[:, 0] - composite_energy(result, jump=True)[:, 0]
+    assert both[0][j, 0] == pytest.approx(expected, rel=1e-12)
+    at_zero = composite_energy(result, (0.0,))
+    assert at_zero is not None
+    no_weight = at_zero[1] - at_zero[0]
     np.testing.assert_allclose(no_weight, 0, atol=1e-9)
 
 

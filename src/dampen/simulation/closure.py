@@ -51,19 +51,20 @@ def port_force(port, stages, v_free, g, dt):
     w = v_free - port.soft * port.slow
     if port.v_law != 0.0 and still_slips(port, stages, v_free, g, w, h, dt):
         return
-    hold = -w / h
+    give = 1 / h
+    hold = -w * give
     port.middle = port.feedforward - barrier_force(port, v_free + g * hold, dt)
-    if port.v_law == 0.0 and still_sticks(port, stages, hold, h):
+    if port.v_law == 0.0 and still_sticks(port, stages, hold, give):
         return
     middle = through(port, port.middle, stages)
     if middle == hold:
-        settle(port, hold, port.middle, 0.0, -1 / h)
+        settle(port, hold, port.middle, 0.0, -give)
         return
     sign = 1.0 if middle > hold else -1.0
     edge = port.middle - sign * port.coulomb
     output = through(port, edge, stages)
     if sign * (output - hold) <= 0:
-        settle(port, hold, command_for(port, hold, port.middle, middle, edge, output, stages), 0.0, -1 / h)
+        settle(port, hold, command_for(port, hold, port.middle, middle, edge, output, stages), 0.0, -give)
         return
 
     slip, slip_r = hold, output - hold
@@ -88,7 +89,7 @@ def port_force(port, stages, v_free, g, dt):
             break
     # The barrier is so stiff that rounding of y_new decides the command: keep the force, take the command that delivers it.
     command = command_for(port, x, command, output, edge, through(port, edge, stages), stages)
-    settle(port, x, command, w + h * x, -1 / h)
+    settle(port, x, command, w + h * x, -give)
 
 
 def confirm(port, stages, v_free, g, dt):
@@ -96,18 +97,18 @@ def confirm(port, stages, v_free, g, dt):
     h = g + port.soft
     w = v_free - port.soft * port.slow
     if port.v_law == 0.0:
-        return still_sticks(port, stages, -w / h, h)
+        return still_sticks(port, stages, -w / h, 1 / h)
     return still_slips(port, stages, v_free, g, w, h, dt)
 
 
-def still_sticks(port, stages, hold, h):
+def still_sticks(port, stages, hold, give):
     """Try to deliver the new holding force from the flank that delivered the last."""
-    command = port.command + (hold - port.held) / port.gain
+    command = port.command + (hold - port.held) * port.inverse_gain
     output = through(port, command, stages)
     scale = abs(hold) + port.gain * (abs(command) + port.coulomb)
     if abs(output - hold) > TOLERANCE * scale or abs(command - port.middle) > port.coulomb:
         return False
-    settle(port, hold, command, 0.0, -1 / h)
+    settle(port, hold, command, 0.0, -give)
     return True
 
 

@@ -13,7 +13,7 @@ import numpy as np
 from dampen.simulation.barrier import EDGE, log_ratio, log_ratio_at
 from dampen.simulation.closure import RELAXATION
 from dampen.simulation.compiled import reassociated
-from dampen.simulation.ports import close_ports, velocity
+from dampen.simulation.ports import PORTS, close_ports, velocity
 
 Array = np.ndarray
 
@@ -25,7 +25,8 @@ _ROW = (float, MODES_AT_MOST + 32)
 PORT = np.dtype(
     [
         # the chain of stages between law and force: stages first .. last - 1, their slope in full motion, the compliance
-        ("first", int), ("last", int), ("gain", float), ("soft", float),
+        ("first", int), ("last", int), ("gain", float),
+        ("inverse_gain", float), ("soft", float),
         # the law: constant in a trial, then held over the step
         ("damping", float), ("barrier", float), ("limit", float), ("feedforward", float), ("coulomb", float),
         # the port as the step begins
@@ -103,7 +104,7 @@ def run_trial(modal, step, inputs, ports, stages, every, record):
     """
     m, dt = modal[0], step.dt
     record.unsettled[0] = 0.0
-    steps, n = inputs.disturbance.shape
+    steps = len(inputs.disturbance)
     start(m, step, ports, record)
     snapshot, wait = 0, every
     for k in range(steps):
@@ -111,7 +112,7 @@ def run_trial(modal, step, inputs, ports, stages, every, record):
         if not close_ports(ports, stages, step.g, step.coupling, dt):
             record.unsettled[0] += 1
         record.work_load[k], record.energy[k + 1] = apply(k, m, step, inputs, ports)
-        for p in range(n):
+        for p in range(PORTS):
             end_step(k, p, ports, stages, step, record)
         wait -= 1
         if wait == 0:
@@ -130,7 +131,7 @@ def start(m, step, ports, record):
         total += m.rate[i] * m.rate[i] + m.omega2[i] * m.q[i] * m.q[i]
         record.q[0, i] = m.q[i]
     record.energy[0] = 0.5 * total
-    for p in range(len(ports)):
+    for p in range(PORTS):
         port = ports[p]
         port.y = 0.0
         for i in range(m.count):
@@ -142,13 +143,12 @@ def start(m, step, ports, record):
 
 def free_motion(k, m, step, inputs, ports):
     """How fast the ports go under all that is known as the step begins, and what the law has for it; ports two by two."""
-    n = len(ports)
-    for p in range(0, n, 2):
+    for p in range(0, PORTS, 2):
         v, v_next = two_velocities(m, step.v_q[p], step.v_rate[p], step.v_q[p + 1], step.v_rate[p + 1])
         ports[p].v_free = v + inputs.drift[k, p]
-        if p + 1 < n:
+        if p + 1 < PORTS:
             ports[p + 1].v_free = v_next + inputs.drift[k, p + 1]
-    for p in range(n):
+    for p in range(PORTS):
         ports[p].feedforward = inputs.feedforward[k, p]
         ports[p].coulomb = inputs.coulomb[k, p]
 
@@ -165,13 +165,12 @@ def two_velocities(m, q_row, rate_row, next_q_row, next_rate_row):
 
 def apply(k, m, step, inputs, ports):
     """Move all modes under the load and the port forces. Returns the work of the load and the energy reached."""
-    n = len(ports)
     first = ports[0].force + inputs.disturbance[k, 0]
-    second = ports[1].force + inputs.disturbance[k, 1] if n > 1 else 0.0
+    second = ports[1].force + inputs.disturbance[k, 1] if PORTS > 1 else 0.0
     load, modes = inputs.load[k], m.count
     for i in range(modes):
         m.a[i] = load[i]
-    for p in range(2, n):
+    for p in range(2, PORTS):
         force = ports[p].force + inputs.disturbance[k, p]
         for i in range(modes):
             m.a[i] += force * step.b[p, i]

@@ -14,22 +14,22 @@ from dampen.simulation.closure import confirm, port_force
 NEWTON_ROUNDS = 20
 ROUNDS = 300
 SETTLED = 1e-11
+PORTS = 0  # the number of ports: bound to the scenario's before use, so that loops over ports are unrolled
 
 
 def close_ports(ports, stages, g, coupling, dt):
     """Solve the closure of every port; `force` brings the guess, `coupling` (ports, ports) is scratch. True if settled."""
-    n = len(ports)
     for attempt in range(ROUNDS):
         forward(ports, stages, g, coupling, dt, attempt < NEWTON_ROUNDS)
         settled = True
-        for p in range(n - 2, -1, -1):
-            for r in range(p + 1, n):
+        for p in range(PORTS - 2, -1, -1):
+            for r in range(p + 1, PORTS):
                 ports[p].force += ports[p].slope * coupling[p, r] * (ports[r].force - ports[r].guess)
-        for p in range(n - 1):
+        for p in range(PORTS - 1):
             predicted = ports[p].force
             v_others = velocity(p, ports, g) - g[p, p] * predicted
             settled &= confirm(ports[p], stages, v_others, g[p, p], dt)
-            for r in range(n):
+            for r in range(PORTS):
                 moved = abs(g[r, p] * (ports[p].force - predicted))
                 settled &= r == p or moved <= SETTLED * g[r, r] * (abs(ports[r].force) + abs(predicted))
         if settled or unmoved(ports):
@@ -40,35 +40,34 @@ def close_ports(ports, stages, g, coupling, dt):
 def unmoved(ports):
     """Whether a whole round has left every force as it was."""
     still = True
-    for port in ports:
-        still &= abs(port.force - port.guess) <= SETTLED * abs(port.force)
+    for p in range(PORTS):
+        still &= abs(ports[p].force - ports[p].guess) <= SETTLED * abs(ports[p].force)
     return still
 
 
 def forward(ports, stages, g, coupling, dt, newton):
     """Solve port after port, each with the ports before it eliminated."""
-    n = len(ports)
-    for p in range(n):
+    for p in range(PORTS):
         port = ports[p]
         port.guess = port.force
         port.v_others = velocity(p, ports, g) - g[p, p] * port.force
-        for r in range(n):
+        for r in range(PORTS):
             coupling[p, r] = g[p, r]
-    for p in range(n):
+    for p in range(PORTS):
         port = ports[p]
         port_force(port, stages, port.v_others, coupling[p, p], dt)
         if not newton:
             port.slope = 0.0
-        for r in range(p + 1, n):
+        for r in range(p + 1, PORTS):
             answer = coupling[r, p] * port.slope
             ports[r].v_others += coupling[r, p] * (port.force - port.guess) - answer * coupling[p, r] * ports[r].guess
-            for t in range(p + 1, n):
+            for t in range(p + 1, PORTS):
                 coupling[r, t] += answer * coupling[p, t]
 
 
 def velocity(p, ports, g):
     """Mean velocity of port p over the step under the forces of all."""
     v = ports[p].v_free
-    for r in range(len(ports)):
+    for r in range(PORTS):
         v += g[p, r] * ports[r].force
     return v

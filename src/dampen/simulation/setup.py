@@ -48,7 +48,8 @@ class Bench:
         for p in range(len(scenario.plant.ports)):
             self._stages += [cls for cls in map(type, scenario.chain(p)) if cls not in self._stages]
         steps = tuple(cls.step for cls in self._stages)
-        return compiled_kernel(steps) if compile else compose(steps), self._stages
+        ports = len(scenario.plant.ports)
+        return compiled_kernel(ports, steps) if compile else compose(ports, steps), self._stages
 
     def initial_state(self) -> Any:
         """The record of all modes as trial 0 begins."""
@@ -140,21 +141,22 @@ def port_records(scenario: Scenario, step: Step, classes: Sequence[type[Stage]])
             stages[s].parameters[: len(row)] = row
             port.gain *= stage.gain
             s += 1
+        port.inverse_gain = 1 / port.gain
     return ports, stages
 
 
-def compose(steps: tuple[Callable[..., float], ...]) -> Callable[..., int]:
-    """The kernel with these stage functions bound to the codes 0, 1, ...: plain Python."""
+def compose(ports: int, steps: tuple[Callable[..., float], ...]) -> Callable[..., int]:
+    """The kernel for this number of ports, with these stage functions bound to the codes 0, 1, ...: plain Python."""
     dispatch: Any = no_stage
     for code in reversed(range(len(steps))):
         dispatch = bind(one_stage, own_code=code, own_step=steps[code], other_stage=dispatch)
-    return bind(kernel.run_trial, stage_step=dispatch)
+    return bind(kernel.run_trial, stage_step=dispatch, PORTS=ports)
 
 
 @cache
-def compiled_kernel(steps: tuple[Callable[..., float], ...]) -> Any:
+def compiled_kernel(ports: int, steps: tuple[Callable[..., float], ...]) -> Any:
     """The same, compiled; see `is_ready` for whether that will take a while."""
-    return compiled(compose(steps))
+    return compiled(compose(ports, steps))
 
 
 def is_ready(kernel_function: Any) -> bool:

@@ -17,17 +17,13 @@ Array = np.ndarray
 LAMBDAS = (0.0, 0.01, 0.5, 1.0, 2.0, 5.0)
 
 
-def rises(result: Result, *, jump: bool) -> list[int] | None:
-    """How often E_j(T_b) rises from one trial to the next, for each lambda; None for another law than the paper's."""
-    energy = composite_energy(result, jump=jump)
-    return None if energy is None else [int(n) for n in np.sum(np.diff(energy, axis=0) > 0, axis=0)]
+def rises(energy: Array) -> list[int]:
+    """How often each column of E_j(T_b) rises from one trial to the next."""
+    return [int(n) for n in np.sum(np.diff(energy, axis=0) > 0, axis=0)]
 
 
-def composite_energy(result: Result, *, jump: bool, lambdas: tuple[float, ...] = LAMBDAS) -> Array | None:
-    """(trials, lambdas) E_j(T_b); with `jump` False the sum of the differences (46), begun at E_0(T_b).
-
-    None for another law than the paper's.
-    """
+def composite_energy(result: Result, lambdas: tuple[float, ...] = LAMBDAS) -> tuple[Array, Array] | None:
+    """(trials, lambdas) E_j(T_b), and the sum of the differences (46) begun at E_0(T_b); None for another law."""
     law, dt = result.scenario.controller, result.scenario.numerics.step
     if not isinstance(law, DualLoopAILC):
         return None
@@ -46,10 +42,8 @@ def composite_energy(result: Result, *, jump: bool, lambdas: tuple[float, ...] =
         integrals.append(weights @ (xi**2 / (2 * damping) + short**2 / (2 * observer)).sum(axis=1))
         zeta_before = np.asarray(result["zeta"][j])
     total = np.array(final) + np.array(integrals)
-    if jump:
-        return total
     change = np.array(final)[1:] - np.array(start)[1:, None] + np.diff(integrals, axis=0)
-    return total[0] + np.vstack([np.zeros(len(decay)), np.cumsum(change, axis=0)])
+    return total, total[0] + np.vstack([np.zeros(len(decay)), np.cumsum(change, axis=0)])
 
 
 def unweighted(result: Result, trial: int) -> Array:
