@@ -166,5 +166,7 @@ def test_a_lagging_actuator_pumps_but_never_without_bound() -> None:
 
 
 def test_few_modes_that_start_beyond_the_barrier_are_refused() -> None:
-    with pytest.raises(dampen.ArgumentError, match="leave room for tip_w at the start"):
+    with pytest.raises(
+        dampen.ArgumentError, match=r"`numerics.modes` must be larger, or the constraint wider: they start tip_w at 0\.20"
+    ):
         dampen.simulate(scenario("numerics.modes=1"))

@@ -253,3 +253,11 @@ def test_memory_does_not_grow_with_the_number_of_trials(tmp_path: Path) -> None:
     out = done.stdout
     assert "status 0" in out
     assert float(out.split("MiB")[1]) < 1024
+
+
+def test_the_readme_s_python_runs() -> None:
+    readme = (Path(__file__).parents[1] / "README.md").read_text(encoding="utf-8")
+    code = readme.split("```python\n")[1].split("```")[0].replace("task.trials=40", "task.trials=3")
+    names: dict[str, object] = {}
+    exec(code, names)
+    assert isinstance(names["result"], dampen.Result)

@@ -96,7 +96,8 @@ def check_start(scenario: Scenario, bench: Bench) -> None:
     for port, row, limit in zip(bench.modes.ports, bench.modes.b, scenario.limits, strict=True):
         y = float(row @ modal.q[: modal.count])
         if not abs(y) < (1 - 1e-9) * limit:
-            raise wrong("task.constraint", f"leave room for {port.name} at the start: |y| < {limit:.9g}", y)
+            must = f"be larger, or the constraint wider: they start {port.name} at {y:.9g}, outside |y| < {limit:g}"
+            raise wrong("numerics.modes", must, bench.modes.count)
 
 
 def note_trouble(scenario: Scenario, trial: int, record: dict[str, Any], warnings: list[str]) -> None:
