@@ -54,7 +54,6 @@ BAD = {
     "controller.alpha_3=-1": "Argument `controller.alpha_3` must be > 0 N m, but is -1.",
     "plant.initial.w=[0, 0.25]": "Argument `plant.initial` must put tip_w inside its constraint, |y| < 0.2, but is 0.25.",
     "numerics.step=0.003": "Argument `numerics.step` must divide task.trial_duration = 2 s, but is 0.003.",
-    "numerics.step=0.00001": None,
     "numerics.step=1e-9": "Argument `numerics.step` must be larger",
     "task.trials=0": "Argument `task.trials` must be >= 1, but is 0.",
     "task.trials=2.5": "Argument `task.trials` must be a whole number, but is 2.5.",
@@ -69,12 +68,12 @@ BAD = {
 }
 
 
-@pytest.mark.parametrize("setting", [k for k, v in BAD.items() if v])
+@pytest.mark.parametrize("setting", list(BAD))
 def test_bad_input_gets_one_clear_line(setting: str) -> None:
     with pytest.raises(dampen.ArgumentError) as error:
         scenario(setting)
     assert len(error.value.lines) == 1
-    assert error.value.lines[0].startswith(BAD[setting] or "")
+    assert error.value.lines[0].startswith(BAD[setting])
 
 
 def test_all_faults_are_reported_at_once() -> None:

@@ -70,10 +70,11 @@ def run(
 
     from dampen.scenarios.claims import check_claims, figure_plan, note
     from dampen.scenarios.read import read_scenario
+    from dampen.simulation.setup import Bench
 
     experiment = read_scenario(scenario, set_ or ())
     with threadpool_limits(1):
-        bench = make_bench(experiment)
+        bench = Bench(experiment)  # refuses what cannot be resolved, before anything is written
         folder = make_folder(folder, experiment.name)
         result, baseline = run_both(bench, folder)
     for line in result.warnings:
@@ -144,18 +145,6 @@ def make_folder(folder: Path | None, name: str) -> Path:
     except OSError as error:
         raise ArgumentError(f"Output folder `{folder}` cannot be written: {error.strerror or error}.") from None
     return folder
-
-
-def make_bench(scenario: Scenario) -> Bench:
-    """Set the plant up, and refuse what cannot be resolved before anything is written."""
-    from dampen.simulation.resolution import check_resolution
-    from dampen.simulation.setup import Bench
-    from dampen.simulation.trials import check_start
-
-    bench = Bench(scenario)
-    check_resolution(scenario, bench.modes)
-    check_start(scenario, bench)
-    return bench
 
 
 def run_both(bench: Bench, folder: Path) -> tuple[Result, Result | None]:

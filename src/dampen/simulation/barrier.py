@@ -10,6 +10,7 @@ from __future__ import annotations
 import math
 
 EDGE = 1 - 1e-12
+SMALL = 1e-6
 
 
 def log_ratio(y, limit):
@@ -24,28 +25,36 @@ def log_ratio_at(y_new, y, log_y, limit):
         return log_y
     if abs(y) > edge:
         return log_ratio(y_new, limit)
-    s = (y + y_new) / ((limit - y) * (limit + y) + (limit - y_new) * (limit + y_new))
-    z = (y_new - y) * s
+    z = (y_new - y) * mean_slope(y, y_new, limit)
     square = z * z
-    if square < 1e-6:
-        return log_y + 2 * z * (1 + square * (1 / 3 + square * (1 / 5)))
+    if square < SMALL:
+        return log_y + 2 * z * atanh_ratio(square)
     return log_ratio(y_new, limit)
+
+
+def mean_slope(y, y_new, limit):
+    """s = (y + y_new) / (2 C^2 - y^2 - y_new^2), with which half the difference of the two logarithms is atanh((y_new - y) s)."""
+    return (y + y_new) / ((limit - y) * (limit + y) + (limit - y_new) * (limit + y_new))
+
+
+def atanh_ratio(square):
+    """atanh(z) / z for z^2 = square < SMALL, to round-off."""
+    return 1 + square * (1 / 3 + square * (1 / 5))
 
 
 def barrier_gradient(y, y_new, log_y, limit):
     """(V(y_new) - V(y)) / (y_new - y), without 0/0; `log_y` is log_ratio(y, limit), or anything once y is beyond the edge.
 
-    With D = 2 C^2 - y^2 - y_new^2, s = (y + y_new) / D and z = (y_new - y) s, half the difference of the two logarithms is
-    atanh(z), and the gradient is (log_y + atanh z) (atanh z / z) s.
+    With s the mean slope and z = (y_new - y) s it is (log_y + atanh z) (atanh z / z) s.
     """
     edge = EDGE * limit
     if abs(y) > edge or abs(y_new) > edge:
         return gradient_beyond(y, y_new, limit, edge)
-    s = (y + y_new) / ((limit - y) * (limit + y) + (limit - y_new) * (limit + y_new))
+    s = mean_slope(y, y_new, limit)
     z = (y_new - y) * s
     square = z * z
-    if square < 1e-6:
-        ratio = 1 + square * (1 / 3 + square * (1 / 5))
+    if square < SMALL:
+        ratio = atanh_ratio(square)
     else:
         ratio = (log_ratio(y_new, limit) - log_y) / (2 * z)
     return (log_y + z * ratio) * ratio * s

@@ -86,7 +86,8 @@ class Layout:
 class Result:
     """What a run left. `result["y"][3]` is the port motion of trial 3; `result.dataset` is everything as an xarray Dataset.
 
-    trials: number of finished trials.   status: "complete", "interrupted" or "diverged".   warnings: about resolution.
+    trials: number of finished trials.   status: "complete", "interrupted" or "diverged".
+    warnings: thin resolution, a lost constraint, forces that did not settle; one line each.
     """
 
     scenario: Scenario

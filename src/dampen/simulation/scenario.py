@@ -15,6 +15,7 @@ from dampen.component import ArgumentError, Component, wrong
 from dampen.controllers.base import Controller, Setting
 from dampen.disturbances.base import Disturbance
 from dampen.plants.base import Discretisation, Plant
+from dampen.simulation.kernel import MODES_AT_MOST
 from dampen.stage import Stage
 
 Positive = Annotated[float, Gt(0)]
@@ -40,7 +41,7 @@ class Numerics(Component):
     """How the experiment is computed."""
 
     discretisation: Annotated[Discretisation, Doc("in space")] = "spectral"
-    modes: Annotated[int, Ge(1), Le(1000), Doc("number of modes kept")] = 80
+    modes: Annotated[int, Ge(1), Le(MODES_AT_MOST), Doc("number of modes kept")] = 80
     points: Annotated[int, Ge(3), Le(1001), Doc("grid points of the finite-difference grid, clamp included")] = 51
     step: Annotated[float, Gt(0), Unit("s"), Doc("time step; must divide the trial's duration")] = 0.001
     mode: Annotated[Literal["continuous"], Doc("the law acts continuously in time")] = "continuous"

@@ -8,12 +8,14 @@ from typing import Any
 
 import numpy as np
 
+from dampen.component import wrong
 from dampen.controllers.base import PortLaw
 from dampen.plants.base import Modes
 from dampen.simulation import kernel
 from dampen.simulation.closure import SOFTNESS
 from dampen.simulation.compiled import bind, compiled, is_cached
 from dampen.simulation.kernel import MODAL, PORT, STAGE, STAGE_PARAMETERS, STAGE_STATES, Inputs, Step
+from dampen.simulation.resolution import check_resolution
 from dampen.simulation.scenario import Scenario
 from dampen.stage import Stage
 
@@ -23,7 +25,10 @@ LOAD_BLOCK = 100  # steps whose load is sampled at a time: what fits a processor
 
 
 class Bench:
-    """The plant, set up for a scenario's task and disturbance; controllers can be changed without setting it up again."""
+    """The plant, set up for a scenario's task and disturbance; controllers can be changed without setting it up again.
+
+    Raises ArgumentError for what modes and step cannot resolve; `warnings` says where that is thin.
+    """
 
     def __init__(self, scenario: Scenario):
         numerics, plant = scenario.numerics, scenario.plant
@@ -32,6 +37,9 @@ class Bench:
         self.step = exact_step(self.modes, numerics.step)
         self.midpoints = (np.arange(scenario.steps) + 0.5) * numerics.step
         self.x = output_points(scenario)
+        self.start = plant.initial_state(self.modes)
+        self.warnings = check_resolution(scenario, self.modes)
+        self.check_start(scenario)
         self._stages: list[type[Stage]] = []
         self._loads: dict[int, tuple[Array, Array, Array]] = {}
 
@@ -53,7 +61,16 @@ class Bench:
 
     def initial_state(self) -> Any:
         """The record of all modes as trial 0 begins."""
-        return modal_record(self.modes, self.step.dt, *self.scenario.plant.initial_state(self.modes))
+        return modal_record(self.modes, self.step.dt, *self.start)
+
+    def check_start(self, scenario: Scenario) -> None:
+        """A barrier needs the tip inside it, as the modes have it: few modes can put it beyond a shape that was inside."""
+        if not scenario.controller.uses_barrier:
+            return
+        for port, y, limit in zip(self.modes.ports, self.modes.b @ self.start[0], scenario.limits, strict=True):
+            if not abs(y) < (1 - 1e-9) * limit:
+                must = f"be larger, or the constraint wider: they start {port.name} at {y:.9g}, outside |y| < {limit:g}"
+                raise wrong("numerics.modes", must, self.modes.count)
 
     def inputs(self, trial: int, law: PortLaw) -> Inputs:
         """What the kernel needs to know of a trial."""
@@ -104,9 +121,7 @@ def exact_step(modes: Modes, dt: float) -> Step:
 def modal_record(modes: Modes, dt: float, q: Array, rate: Array) -> Any:
     """The kernel's record of all modes, in the state q, rate."""
     omega, n = modes.omega, modes.count
-    buffer = np.zeros(MODAL.itemsize + 64, np.uint8)
-    offset = -buffer.ctypes.data % 64
-    modal = buffer[offset : offset + MODAL.itemsize].view(MODAL).view(np.recarray)
+    modal = on_cache_line(MODAL.itemsize).view(MODAL).view(np.recarray)
     cosine, sine = np.cos(omega * dt), np.sin(omega * dt)
     rows = {"q": q, "rate": rate, "c11": cosine, "c12": sine / omega, "c21": -omega * sine, "c22": cosine}
     rows |= {"psi": response(omega, dt), "omega2": omega**2}
@@ -178,9 +193,13 @@ def no_stage(code, command, state, parameters, new_state):  # type: ignore[no-un
 
 def aligned(a: Array) -> Array:
     """A contiguous copy that starts on a cache line: a tenth of the kernel's time."""
-    a = np.ascontiguousarray(a, dtype=float)
-    buffer = np.empty(a.nbytes + 64, np.uint8)
-    offset = -buffer.ctypes.data % 64
-    out = buffer[offset : offset + a.nbytes].view(float).reshape(a.shape)
+    out = on_cache_line(8 * a.size).view(float).reshape(a.shape)
     out[...] = a
     return out
+
+
+def on_cache_line(size: int) -> Array:
+    """`size` zero bytes that start on a cache line."""
+    buffer = np.zeros(size + 64, np.uint8)
+    offset = -buffer.ctypes.data % 64
+    return buffer[offset : offset + size]
