@@ -2,7 +2,10 @@
 
 from __future__ import annotations
 
+import signal
+import threading
 from collections.abc import Callable, Iterator
+from contextlib import contextmanager
 from typing import Any
 
 import numpy as np
@@ -46,18 +49,42 @@ def simulate(
     store.open(Layout.of(scenario, bench.x), warnings)
     status, done = "complete", 0
     try:
-        for record in trials(scenario, bench, compile):
-            store.write(done, record)
-            note_trouble(scenario, done, record, warnings)
-            if record["status"] != FINE:
-                status = "diverged"
-                break
-            done += 1
-            if progress:
-                progress(done, scenario.task.trials)
+        with interrupt_between_trials() as interrupted:
+            for record in trials(scenario, bench, compile):
+                store.write(done, record)
+                note_trouble(scenario, done, record, warnings)
+                if record["status"] != FINE:
+                    status = "diverged"
+                    break
+                done += 1
+                if progress:
+                    progress(done, scenario.task.trials)
+                if interrupted():
+                    status = "interrupted"
+                    break
     except KeyboardInterrupt:
         status = "interrupted"
     return store.close(status, done)
+
+
+@contextmanager
+def interrupt_between_trials() -> Iterator[Callable[[], bool]]:
+    """Let a first Ctrl-C wait for the end of the trial, so that none is half written; a second one acts at once."""
+    asked: list[int] = []
+
+    def note(number: int, frame: object) -> None:
+        if asked:
+            raise KeyboardInterrupt
+        asked.append(number)
+
+    if threading.current_thread() is not threading.main_thread():  # only the main thread is sent signals
+        yield lambda: False
+        return
+    before = signal.signal(signal.SIGINT, note)
+    try:
+        yield lambda: bool(asked)
+    finally:
+        signal.signal(signal.SIGINT, before)
 
 
 def trials(scenario: Scenario, bench: Bench, compile: bool = True) -> Iterator[dict[str, Any]]:
