@@ -15,6 +15,7 @@ import dampen
 from dampen.analysis.claims import Claim, verdict_sentence
 from dampen.controllers.base import Setting, Trial
 from dampen.controllers.dual_loop_ailc import AssumedBacklash, FlankInverse
+from dampen.port import Site
 from dampen.scenarios.he2017.claims import _trend
 from dampen.scenarios.he2017.composite_energy import composite_energy
 from dampen.simulation.barrier import EDGE, barrier_gradient, log_ratio, log_ratio_at
@@ -22,12 +23,13 @@ from dampen.stage import Stage
 from tests.conftest import READINGS, scenario
 
 STAGES: list[Stage] = [dampen.Ideal(), dampen.Backlash(), FlankInverse(AssumedBacklash())]
+SITE = Site(scenario().plant.ports, 1.0, 2.0)
 commands = st.lists(st.floats(-5, 5), min_size=2, max_size=40)
 
 
 def respond(stage: Stage, inputs: list[float]) -> list[float]:
     """Outputs of a stage, step by step, as plain Python."""
-    state, row, out = np.zeros(max(1, stage.states)), np.array(stage.row()), []
+    state, row, out = np.zeros(max(1, stage.states)), np.array(stage.row(1e-3)), []
     for u in inputs:
         new_state = state.copy()
         out.append(type(stage).step(u, state, row, new_state))
@@ -47,7 +49,7 @@ def test_trial_commands_leave_the_state_alone(stage: Stage, u: list[float]) -> N
     state = np.full(max(1, stage.states), 0.1)
     kept = state.copy()
     for command in u:
-        type(stage).step(command, state, np.array(stage.row()), np.empty_like(state))
+        type(stage).step(command, state, np.array(stage.row(1e-3)), np.empty_like(state))
     np.testing.assert_array_equal(state, kept)
 
 
@@ -113,26 +115,25 @@ def test_carried_logarithm_equals_the_fresh_one(path: list[float]) -> None:
 
 
 def test_disturbances_are_equations_26_to_28() -> None:
-    ports, t, x, j = scenario().plant.ports, np.linspace(0, 2, 7), np.linspace(0, 1, 5), 3
+    t, x, j = np.linspace(0, 2, 7), np.linspace(0, 1, 5), 3
     a = (j + 1) * np.pi * t
     source = dampen.HarmonicFamilies()
-    np.testing.assert_allclose(source.at_ports(j, t, ports)[:, 0], 0.1 * sum(np.cos(k * a) for k in (1, 2, 3)))
-    np.testing.assert_allclose(source.at_ports(j, t, ports)[:, 1], 0.1 * sum(np.cos(k * a) for k in (2, 4, 6)))
+    np.testing.assert_allclose(source.at_ports(j, t, SITE)[:, 0], 0.1 * sum(np.cos(k * a) for k in (1, 2, 3)))
+    np.testing.assert_allclose(source.at_ports(j, t, SITE)[:, 1], 0.1 * sum(np.cos(k * a) for k in (2, 4, 6)))
     f = 0.05 * sum(np.sin(k * np.outer(a, x)) for k in (1, 2, 3))
-    np.testing.assert_allclose(source.load(j, t, x), f, atol=1e-14)
+    np.testing.assert_allclose(source.load(j, t, x, SITE), f, atol=1e-14)
 
 
 def test_stated_content_is_the_fastest_and_shortest_there_is() -> None:
-    ports = scenario().plant.ports
-    content = dampen.HarmonicFamilies().content(24, 2.0, ports, 1.0)
+    content = dampen.HarmonicFamilies().content(24, SITE)
     assert content.port_frequency == (37.5, 75.0)
     assert content.load_frequency == pytest.approx(37.5)
     assert content.load_wave == pytest.approx(1 / 75)
 
 
 def test_frozen_frequencies_repeat_one_trial() -> None:
-    source, t, ports = dampen.HarmonicFamilies(frozen_at=2), np.linspace(0, 2, 9), scenario().plant.ports
-    np.testing.assert_array_equal(source.at_ports(7, t, ports), dampen.HarmonicFamilies().at_ports(2, t, ports))
+    source, t = dampen.HarmonicFamilies(frozen_at=2), np.linspace(0, 2, 9)
+    np.testing.assert_array_equal(source.at_ports(7, t, SITE), dampen.HarmonicFamilies().at_ports(2, t, SITE))
     assert source.same_as(7) == source.same_as(0)
 
 

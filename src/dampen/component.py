@@ -11,10 +11,11 @@ from __future__ import annotations
 
 import dataclasses
 import difflib
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import MISSING, dataclass, fields
 from functools import cache
-from typing import TYPE_CHECKING, Annotated, Any, ClassVar, get_args, get_origin, get_type_hints
+from types import UnionType
+from typing import TYPE_CHECKING, Annotated, Any, ClassVar, Union, get_args, get_origin, get_type_hints
 
 from annotated_types import Ge, Gt, Le, Lt, Unit
 from typing_extensions import Doc
@@ -34,6 +35,10 @@ _TYPES = {
     "tuple_type": "a list",
     "dict_type": "a table",
 }
+
+
+class InFile:
+    """Marks a parameter that names a file: a scenario file means it relative to its own folder."""
 
 
 class ArgumentError(ValueError):
@@ -110,7 +115,7 @@ def check(cls: type, values: Mapping[str, Any]) -> dict[str, Any]:
     try:
         model = _model(cls).model_validate(dict(values))
     except pydantic.ValidationError as error:
-        raise ArgumentError([_line(cls, dict(values), e) for e in error.errors()]) from None
+        raise ArgumentError(_lines(cls, values, error.errors())) from None
     return {name: getattr(model, name) for name in values}
 
 
@@ -143,15 +148,41 @@ def _model(cls: type) -> type[BaseModel]:
     """A strict pydantic model with the fields of the dataclass `cls`."""
     import pydantic
 
+    def instances(hint: Any) -> Any:
+        """`hint` with every component class in it to be checked by isinstance alone: a component has checked itself."""
+        if isinstance(hint, type) and issubclass(hint, Component):
+            return pydantic.InstanceOf.__class_getitem__(hint)  # type: ignore[type-arg]
+        if get_origin(hint) is Annotated:
+            return Annotated[instances(get_args(hint)[0]), *get_args(hint)[1:]]
+        if isinstance(hint, UnionType):
+            return Union[tuple(map(instances, get_args(hint)))]  # noqa: UP007
+        if get_origin(hint) in (tuple, dict):
+            return get_origin(hint)[tuple(map(instances, get_args(hint)))]
+        return hint
+
     config = pydantic.ConfigDict(strict=True, extra="forbid", allow_inf_nan=False, arbitrary_types_allowed=True)
     hints = get_type_hints(cls, include_extras=True)
     declared: dict[str, Any] = {}
     for f in fields(cls):
         base, extras = split_hint(hints[f.name])
         bounds = {key: getattr(e, key) for e in extras for kind, key, _ in _BOUNDS if isinstance(e, kind)}
-        checked: Any = pydantic.InstanceOf.__class_getitem__(base) if dataclasses.is_dataclass(base) else base  # type: ignore[type-arg]
-        declared[f.name] = (Annotated[checked, pydantic.Field(**bounds)] if bounds else checked, ...)
+        declared[f.name] = (_bounded(instances(base), bounds), ...)
     return pydantic.create_model(cls.__name__, __config__=config, **declared)
+
+
+def _bounded(hint: Any, bounds: dict[str, Any]) -> Any:
+    """`hint` with bounds on its numbers: on the parameter itself, or on the members of its lists and dicts."""
+    import pydantic
+
+    if not bounds or hint in (type(None), str, bool):
+        return hint
+    if hint in (int, float):
+        return Annotated[hint, pydantic.Field(**bounds)]
+    if get_origin(hint) in (tuple, dict):
+        return get_origin(hint)[tuple(a if a is Ellipsis else _bounded(a, bounds) for a in get_args(hint))]
+    if isinstance(hint, UnionType) or get_origin(hint) is Union:
+        return Union[tuple(_bounded(a, bounds) for a in get_args(hint))]  # noqa: UP007
+    return hint
 
 
 def split_hint(hint: Any) -> tuple[Any, tuple[Any, ...]]:
@@ -169,10 +200,14 @@ def _type_name(base: Any) -> str:
         return names[base]
     if get_origin(base) is tuple:
         return f"list of {_type_name(get_args(base)[0])}s"
+    if get_origin(base) is dict:
+        return f"table of {_type_name(get_args(base)[1])}s"
+    if get_origin(base) is Annotated:
+        return _type_name(get_args(base)[0])
     options = [a for a in get_args(base) if a is not type(None)]
     if options and all(isinstance(o, str) for o in options):
         return " | ".join(f'"{o}"' for o in options)
-    return " | ".join(_type_name(o) for o in options) if options else getattr(base, "__name__", str(base))
+    return " or ".join(map(_type_name, options)) if options else getattr(base, "__name__", str(base))
 
 
 def _plain(value: Any) -> Any:
@@ -182,20 +217,32 @@ def _plain(value: Any) -> Any:
     return value.item() if type(value).__module__ == "numpy" and getattr(value, "ndim", 1) == 0 else value
 
 
-def _line(cls: type, values: dict[str, Any], error: Any) -> str:
-    """One pydantic error as one line in the house form."""
-    name, *inner = [str(part) for part in error["loc"]]
-    kind, context = error["type"], error.get("ctx", {})
-    path = name + "".join(f"[{part}]" if part.isdigit() else f".{part}" for part in inner if part not in ("[key]",))
-    parameter = next((p for p in parameters(cls) if p.name == name), None)
-    unit = f" {parameter.unit}" if parameter and parameter.unit else ""
-    bound = next(((sign, key) for _, key, sign in _BOUNDS if key in context), None)
+def _lines(cls: type, values: Mapping[str, Any], errors: Sequence[Any]) -> list[str]:
+    """pydantic's errors in the house form: one line for each fault, and one for a value that fits none of several types."""
+    known = {p.name: p for p in parameters(cls)}
+    lines: dict[object, str] = {}
+    for error in sorted(errors, key=lambda e: not _bound(e)):
+        name = str(error["loc"][0])
+        if " or " in known[name].type:
+            lines.setdefault(name, _line(known[name], [], error, values[name]))
+        else:
+            lines[error["loc"]] = _line(known[name], error["loc"][1:], error, error["input"])
+    return list(lines.values())
+
+
+def _bound(error: Any) -> tuple[str, str] | None:
+    return next(((sign, key) for _, key, sign in _BOUNDS if key in error.get("ctx", {})), None)
+
+
+def _line(parameter: Parameter, inner: Sequence[Any], error: Any, value: object) -> str:
+    path = parameter.name + "".join(f"[{part}]" if isinstance(part, int) else f".{part}" for part in inner if part != "[key]")
+    unit, kind, bound = (f" {parameter.unit}" if parameter.unit else ""), error["type"], _bound(error)
     if bound:
-        must = f"be {bound[0]} {context[bound[1]]:g}{unit}"
+        must = f"be {bound[0]} {error['ctx'][bound[1]]:g}{unit}"
     elif kind == "literal_error":
-        must = f"be {context['expected']}"
-    elif parameter and any(other in kind for other in ("union", "is_instance")):
+        must = f"be {error['ctx']['expected']}"
+    elif " or " in parameter.type or (kind == "is_instance_of" and not inner):
         must = f"be a {parameter.type}"
     else:
         must = f"be {_TYPES.get(kind, error['msg'])}{f' in{unit}' if unit else ''}"
-    return wrong(path, must, error["input"]).lines[0]
+    return wrong(path, must, value).lines[0]

@@ -1,4 +1,4 @@
-"""Ports: what plants, disturbances and controllers have in common."""
+"""Ports and sites: what plants, disturbances and controllers have in common."""
 
 from __future__ import annotations
 
@@ -25,3 +25,12 @@ class Port:
     @property
     def effort_unit(self) -> str:
         return "N" if self.kind == "force" else "N m"
+
+
+@dataclass(frozen=True)
+class Site:
+    """Where a disturbance acts, and for how long: the ports, the structure's length [m], the duration of a trial [s]."""
+
+    ports: tuple[Port, ...]
+    span: float
+    duration: float

@@ -15,21 +15,38 @@ Step = Callable[[float, Array, Array, Array], float]
 
 
 class Stage(Component):
-    """A rate-independent scalar map whose output does not decrease with its input.
+    """A scalar map from a command, held over a step, to what is delivered over that step.
 
     `step(command, state, parameters, new_state) -> output` is plain Python over scalars; it reads `state`, never changes it,
     and writes the state that the command leads to into `new_state`. The library compiles that very function for the kernel,
     and calls it several times with trial commands before one is accepted.
+
+    A stage whose output does not decrease with its input may stand inside a continuous law, whatever its memory: play and
+    saturation, and also a lag, as long as it delivers the mean of its output over the step. One that is not monotone may only
+    follow a held command.
     """
 
     states: ClassVar[int] = 0
     step: ClassVar[Step]
 
     @abstractmethod
-    def row(self) -> tuple[float, ...]:
-        """The parameters that `step` reads, in its order."""
+    def row(self, dt: float) -> tuple[float, ...]:
+        """The parameters that `step` reads, in its order, for steps of `dt` seconds."""
 
     @property
     @abstractmethod
     def gain(self) -> float:
-        """Slope of the output against the input in full motion: the linear part, of which the rest is a bounded deviation."""
+        """Slope of the output against the input in full, slow motion: the linear part, the rest is a bounded deviation."""
+
+    def feedthrough(self, dt: float) -> float:
+        """Slope of the output against the input within one step: less than `gain` where the actuator lags. Must be > 0."""
+        return self.gain
+
+    def start(self) -> tuple[float, ...]:
+        """The state before the first trial."""
+        return (0.0,) * self.states
+
+    @property
+    def monotone(self) -> bool:
+        """Whether the output never decreases with the input."""
+        return True

@@ -42,7 +42,7 @@ class Backlash(Stage):
         if self.left >= self.right:
             raise ArgumentError(f"Argument `left` must be < `right`, but is {self.left:g} where `right` is {self.right:g}.")
 
-    def row(self) -> tuple[float, ...]:
+    def row(self, dt: float) -> tuple[float, ...]:
         return self.slope, self.right, self.left
 
     @property

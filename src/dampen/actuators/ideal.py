@@ -20,7 +20,7 @@ class Ideal(Stage):
     kind: ClassVar[str] = "ideal"
     step: ClassVar[Step] = staticmethod(ideal_step)
 
-    def row(self) -> tuple[float, ...]:
+    def row(self, dt: float) -> tuple[float, ...]:
         return ()
 
     @property

@@ -49,7 +49,7 @@ class FlankInverse(Stage):
 
     step: ClassVar[Step] = staticmethod(flank_step)
 
-    def row(self) -> tuple[float, ...]:
+    def row(self, dt: float) -> tuple[float, ...]:
         return 1 / self.assumed.slope, self.assumed.left
 
     @property

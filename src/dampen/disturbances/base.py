@@ -1,15 +1,13 @@
-"""What every disturbance hands on: forces at the ports and a distributed load, sampled when asked."""
+"""What every disturbance hands on: forces at the ports, loads along the structure, shaking of its base; sampled when asked."""
 
 from __future__ import annotations
 
-from abc import abstractmethod
-from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
 
 from dampen.component import Component
-from dampen.port import Port
+from dampen.port import Site
 
 Array = np.ndarray
 
@@ -18,32 +16,55 @@ Array = np.ndarray
 class Content:
     """The fastest and the shortest that a disturbance contains in one trial: what step, modes and quadrature must resolve.
 
-    port_frequency: Hz, for each port.   load_frequency: Hz.   load_wave: m, the shortest wavelength (inf without a load).
+    port_frequency: Hz, for each port.   load_frequency: Hz, of loads and base.   load_wave: m, the shortest wavelength (inf
+    without a distributed load).
     """
 
-    port_frequency: tuple[float, ...]
+    port_frequency: tuple[float, ...] = ()
     load_frequency: float = 0.0
     load_wave: float = np.inf
 
 
 class Disturbance(Component):
-    """Forces at the ports and a distributed load on one field. `t` is the clock of the trial, which starts at 0."""
+    """What shakes the structure in trial `trial` at times `t`, the clock of the trial, which starts at 0.
 
-    @abstractmethod
-    def at_ports(self, trial: int, t: Array, ports: Sequence[Port]) -> Array:
-        """(times, ports) forces and torques [N, N m]."""
+    A disturbance overrides what it has: forces at ports, one distributed load, one concentrated load that may travel, an
+    acceleration of the base. A sum has several `parts`.
+    """
 
-    @abstractmethod
-    def content(self, trial: int, duration: float, ports: Sequence[Port], length: float) -> Content:
-        """What has to be resolved in this trial."""
+    @property
+    def parts(self) -> tuple[Disturbance, ...]:
+        """What it is the sum of."""
+        return (self,)
 
-    def load(self, trial: int, t: Array, x: Array) -> Array:
-        """(times, points) distributed load on `load_field` [N/m]; only asked where `load_field` names a field."""
-        raise NotImplementedError
+    def content(self, trial: int, site: Site) -> Content:
+        """What has to be resolved in this trial; by default nothing at ports, and waves of a sixteenth of the structure."""
+        return Content(load_wave=site.span / 16 if self.load_field else np.inf)
+
+    def at_ports(self, trial: int, t: Array, site: Site) -> Array | None:
+        """(times, ports) forces and torques [N, N m]; None: none."""
+        return None
 
     @property
     def load_field(self) -> str | None:
         """The field that the distributed load acts on; None without one."""
+        return None
+
+    def load(self, trial: int, t: Array, x: Array, site: Site) -> Array:
+        """(times, points) distributed load on `load_field` [N/m]; only asked where `load_field` names a field."""
+        raise NotImplementedError
+
+    @property
+    def point_field(self) -> str | None:
+        """The field that the concentrated load acts on; None without one."""
+        return None
+
+    def point_load(self, trial: int, t: Array, site: Site) -> tuple[Array, Array]:
+        """Place x [m] and force [N] of the concentrated load, (times,) each; only asked where `point_field` names a field."""
+        raise NotImplementedError
+
+    def base_acceleration(self, trial: int, t: Array, site: Site) -> Array | None:
+        """(times,) acceleration of the base across the structure [m/s^2]; None: at rest."""
         return None
 
     def same_as(self, trial: int) -> int:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Annotated, ClassVar
 
@@ -11,7 +10,7 @@ from annotated_types import Ge, Gt, Unit
 from typing_extensions import Doc
 
 from dampen.disturbances.base import Array, Content, Disturbance
-from dampen.port import Port
+from dampen.port import Site
 
 
 @dataclass(frozen=True)
@@ -35,13 +34,13 @@ class HarmonicFamilies(Disturbance):
     wavenumber_rate: Annotated[float, Ge(0), Unit("rad/(m s)"), Doc("rate kappa at which the load's wavenumber grows")] = np.pi
     frozen_at: Annotated[int | None, Ge(0), Doc("trial whose frequencies every trial has; left out, they grow")] = None
 
-    def at_ports(self, trial: int, t: Array, ports: Sequence[Port]) -> Array:
+    def at_ports(self, trial: int, t: Array, site: Site) -> Array:
         a = self._growth(trial) * 2 * np.pi * self.base_frequency * t
         force = self.force_amplitude * (np.cos(a) + np.cos(2 * a) + np.cos(3 * a))
         torque = self.torque_amplitude * (np.cos(2 * a) + np.cos(4 * a) + np.cos(6 * a))
-        return np.column_stack([force if port.kind == "force" else torque for port in ports])
+        return np.column_stack([force if port.kind == "force" else torque for port in site.ports])
 
-    def load(self, trial: int, t: Array, x: Array) -> Array:
+    def load(self, trial: int, t: Array, x: Array, site: Site) -> Array:
         s, c = sine_and_cosine(self._growth(trial) * self.wavenumber_rate * t, x)
         return (2 * self.load_amplitude) * s * c * (1 + 2 * c)  # sin + sin 2 + sin 3 = sin 2 (1 + 2 cos)
 
@@ -49,14 +48,14 @@ class HarmonicFamilies(Disturbance):
     def load_field(self) -> str | None:
         return "w" if self.load_amplitude > 0 and self.wavenumber_rate > 0 else None
 
-    def content(self, trial: int, duration: float, ports: Sequence[Port], length: float) -> Content:
+    def content(self, trial: int, site: Site) -> Content:
         growth = self._growth(trial)
         harmonic = {"force": 3 * (self.force_amplitude > 0), "torque": 6 * (self.torque_amplitude > 0)}
         fastest = 3 * growth * self.wavenumber_rate / (2 * np.pi) if self.load_field else 0.0
         return Content(
-            port_frequency=tuple(growth * self.base_frequency * harmonic[port.kind] for port in ports),
-            load_frequency=fastest * length,
-            load_wave=1 / (fastest * duration) if fastest else np.inf,
+            port_frequency=tuple(growth * self.base_frequency * harmonic[port.kind] for port in site.ports),
+            load_frequency=fastest * site.span,
+            load_wave=1 / (fastest * site.duration) if fastest else np.inf,
         )
 
     def same_as(self, trial: int) -> int:

@@ -5,16 +5,18 @@ from __future__ import annotations
 from abc import abstractmethod
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
-from typing import Literal
+from typing import Annotated, ClassVar
 
 import numpy as np
+from annotated_types import Ge, Unit
+from typing_extensions import Doc
 
 from dampen.component import Component, wrong
-from dampen.plants.gauss import gauss_legendre
+from dampen.gauss import gauss_legendre
+from dampen.modal import ModalModel
 from dampen.port import Port
 
 Array = np.ndarray
-Discretisation = Literal["spectral", "finite-difference"]
 
 
 @dataclass(frozen=True)
@@ -22,47 +24,44 @@ class Field:
     """One field of the structure, such as w(x, t).
 
     shapes:   x (points,) -> (points, modes), the field's part of every mode shape.
-    inertia:  distributed inertia, per metre.
+    inertia:  distributed inertia per metre, a function of x (points,).
     lumps:    (x, inertia) of every lumped inertia, such as the tip payload.
     """
 
     name: str
     unit: str
     shapes: Callable[[Array], Array]
-    inertia: float
+    inertia: Callable[[Array], Array]
     lumps: tuple[tuple[float, float], ...] = ()
 
 
-@dataclass(frozen=True)
-class Modes:
+@dataclass(frozen=True, kw_only=True)
+class Modes(ModalModel):
     """A linear structure as its modes and its ports.
 
-    q_i'' + omega_i^2 q_i = sum_p b_pi F_p + f_i(t),    y_p = sum_i b_pi q_i
+    q_i'' + 2 decay_i q_i' + omega_i^2 q_i = sum_p b_pi F_p + f_i(t),    y_p = sum_i b_pi q_i
 
-    omega:      (modes,) angular frequencies, ascending [rad/s].
-    b:          (ports, modes) port vectors, for mass-normalised modes.
-    ports:      the ports, in the order of `b`.
-    fields:     the fields that the modes rebuild.
-    compliance: (ports, ports) static compliance of the whole discretisation, before modes were cut.
-    rule:       points and weights of the rule that the mass matrix was integrated with.
-    breaks:     places between which the shapes are smooth; a load is integrated piece by piece.
+    omega, b, decay: as in :class:`ModalModel`, ascending in omega.
+    ports:       the ports, in the order of `b`.
+    fields:      the fields that the modes rebuild; a structure known by its matrices alone has none.
+    compliance:  (ports, ports) static compliance of the whole discretisation, before modes were cut; None if it is free to move.
+    rule:        points and weights of the rule that the mass matrix was integrated with.
+    breaks:      places between which the shapes are smooth; a load is integrated piece by piece.
+    translation: (modes,) inertia against a translation of the base, int rho phi_i dx + M phi_i(L); None: not known.
     """
 
-    omega: Array
-    b: Array
     ports: tuple[Port, ...]
-    fields: tuple[Field, ...]
-    compliance: Array
-    rule: tuple[Array, Array]
-    breaks: Array
-
-    @property
-    def count(self) -> int:
-        return len(self.omega)
+    fields: tuple[Field, ...] = ()
+    compliance: Array | None = None
+    rule: tuple[Array, Array] | None = None
+    breaks: Array | None = None
+    translation: Array | None = None
 
     @property
     def residual_compliance(self) -> Array:
         """(ports, ports) static compliance that the modes left out would have added."""
+        if self.compliance is None:
+            raise ValueError("A structure that is free to move as a rigid body has no static compliance.")
         return self.compliance - (self.b / self.omega**2) @ self.b.T
 
     def field(self, name: str) -> Field:
@@ -73,8 +72,9 @@ class Modes:
 
         Values that contradict the boundary (a rate of 0.1 m/s at the clamp) are met in the mean, as well as modes can.
         """
+        assert self.rule is not None
         field, (x, weights) = self.field(name), self.rule
-        modal = field.inertia * (weights * values(x)) @ field.shapes(x)
+        modal = (weights * field.inertia(x) * values(x)) @ field.shapes(x)
         for place, lump in field.lumps:
             at = np.array([place])
             modal = modal + lump * values(at) @ field.shapes(at)
@@ -85,6 +85,7 @@ class Modes:
 
         Gauss points on every smooth piece: enough for products of the load's shortest wave [m] and the highest mode.
         """
+        assert self.breaks is not None
         pieces = np.diff(self.breaks)
         waves = pieces.max() / shortest_wave + self.count / 2 / len(pieces)
         nodes, weights = gauss_legendre(32 * int(np.ceil((np.pi * waves + 20) / 32)))
@@ -94,34 +95,61 @@ class Modes:
 
 
 class Plant(Component):
-    """A vibrating structure: turns its physics into :class:`Modes`. `span` is its length [m]."""
+    """A vibrating structure: turns its physics into :class:`Modes`. Needs `ports` and `modes`; the rest has defaults."""
+
+    has_grid: ClassVar[bool] = False  # whether `modes` knows a finite-difference grid
 
     @property
     @abstractmethod
     def ports(self) -> tuple[Port, ...]:
         """Where forces act."""
 
-    @property
     @abstractmethod
+    def modes(self, count: int, grid: int | None = None) -> Modes:
+        """The lowest `count` modes, of the spectral discretisation or of a finite-difference grid of `grid` points.
+
+        Raises ArgumentError where there are fewer. Without `has_grid`, `grid` is never given and may be left out.
+        """
+
+    @property
     def fields(self) -> tuple[tuple[str, str], ...]:
         """(name, unit) of every field."""
+        return ()
 
     @property
-    @abstractmethod
     def span(self) -> float:
         """Length over which fields and loads are spread [m]."""
+        return max(port.x for port in self.ports)
 
-    @abstractmethod
     def initial_ports(self) -> tuple[float, ...]:
         """Port displacements at the start of trial 0, exactly as asked for."""
+        return (0.0,) * len(self.ports)
 
-    @abstractmethod
-    def modes(self, count: int, discretisation: Discretisation = "spectral", points: int = 51) -> Modes:
-        """The lowest `count` modes. `points` is the number of grid points of the finite-difference grid, clamp included."""
-
-    @abstractmethod
     def initial_state(self, modes: Modes) -> tuple[Array, Array]:
         """Modal coordinates and rates, (modes,) each, at the start of trial 0."""
+        return np.zeros(modes.count), np.zeros(modes.count)
+
+
+@dataclass(frozen=True)
+class Damping(Component):
+    """Proportional damping: decay_i = ratio omega_i + kelvin_voigt omega_i^2 / 2 + viscous / 2, the sum of what is given.
+
+    `ratio` is one number for all modes, or a list for the lowest, whose last number goes for all above. Kelvin-Voigt: every
+    stress is E (strain + kelvin_voigt strain rate), in bending and shear alike. Viscous: every mass, payload included, is
+    dragged by viscous times mass times velocity.
+    """
+
+    ratio: Annotated[
+        float | tuple[float, ...], Ge(0), Doc("modal damping ratio: one for all, or a list, lowest first")
+    ] = 0.0
+    kelvin_voigt: Annotated[float, Ge(0), Unit("s"), Doc("retardation time of the material")] = 0.0
+    viscous: Annotated[float, Ge(0), Unit("1/s"), Doc("drag per mass")] = 0.0
+
+    def decay(self, omega: Array) -> Array:
+        """(modes,) decay rates [1/s]."""
+        given = np.atleast_1d(np.asarray(self.ratio, float))
+        ratio = given[np.minimum(np.arange(len(omega)), len(given) - 1)]
+        return np.asarray(ratio * omega + self.kelvin_voigt * omega**2 / 2 + self.viscous / 2)
 
 
 def solve_modes(mass: Array, stiffness: Array, count: int) -> tuple[Array, Array]:
@@ -150,3 +178,8 @@ def static_compliance(stiffness: Array, port_vectors: Array) -> Array:
 def polynomial(coefficients: Sequence[float]) -> Callable[[Array], Array]:
     """c0 + c1 x + c2 x^2 + ... as a function of x."""
     return lambda x: np.polynomial.polynomial.polyval(x, np.asarray(coefficients, float))
+
+
+def constant(value: float) -> Callable[[Array], Array]:
+    """`value`, as a function of x."""
+    return lambda x: np.full(len(x), value)

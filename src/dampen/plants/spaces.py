@@ -12,7 +12,7 @@ from abc import ABC, abstractmethod
 import numpy as np
 from numpy.polynomial.legendre import legvander
 
-from dampen.plants.gauss import gauss_legendre
+from dampen.gauss import gauss_legendre
 
 Array = np.ndarray
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import Annotated, ClassVar
 
 import numpy as np
@@ -12,10 +12,11 @@ from typing_extensions import Doc
 from dampen.component import Component, wrong
 from dampen.plants.base import (
     Array,
-    Discretisation,
+    Damping,
     Field,
     Modes,
     Plant,
+    constant,
     polynomial,
     solve_modes,
     static_compliance,
@@ -53,6 +54,7 @@ class TimoshenkoBeam(Plant):
     """
 
     kind: ClassVar[str] = "timoshenko"
+    has_grid: ClassVar[bool] = True
 
     mass_per_length: Annotated[float, Gt(0), Unit("kg/m"), Doc("mass per length rho")] = 1.0
     length: Annotated[float, Gt(0), Unit("m"), Doc("length L")] = 1.0
@@ -61,6 +63,7 @@ class TimoshenkoBeam(Plant):
     rotary_inertia: Annotated[float, Gt(0), Unit("kg m"), Doc("rotary inertia per length I_rho")] = 2.0
     tip_inertia: Annotated[float, Ge(0), Unit("kg m^2"), Doc("payload inertia J")] = 0.1
     shear_stiffness: Annotated[float, Gt(0), Unit("N"), Doc("shear stiffness K = kAG")] = 15.0
+    damping: Annotated[Damping, Doc("proportional damping")] = field(default_factory=Damping)
     initial: Annotated[BeamState, Doc("shapes and rates at the start of trial 0")] = field(default_factory=BeamState)
 
     @property
@@ -79,13 +82,9 @@ class TimoshenkoBeam(Plant):
         tip = np.array([self.length])
         return tuple(float(polynomial(c or (0.0,))(tip)[0]) for c in (self.initial.w, self.initial.phi))
 
-    def modes(self, count: int, discretisation: Discretisation = "spectral", points: int = 51) -> Modes:
+    def modes(self, count: int, grid: int | None = None) -> Modes:
         """The lowest `count` modes. Raises ArgumentError if the discretisation has fewer."""
-        space: Space
-        if discretisation == "spectral":
-            space = Spectral(self.length, _degree(count))
-        else:
-            space = FiniteDifference(self.length, points)
+        space: Space = Spectral(self.length, _degree(count)) if grid is None else FiniteDifference(self.length, grid)
         size = len(space.vv)
         tip = space.values(np.array([self.length]))[0]
         mass = np.zeros((2 * size, 2 * size))
@@ -101,20 +100,21 @@ class TimoshenkoBeam(Plant):
         port_vectors = np.zeros((2 * size, 2))
         port_vectors[w, 0] = port_vectors[phi, 1] = tip
         w_vectors, phi_vectors = vectors[w], vectors[phi]
-        return Modes(
+        lumps = (((self.length, self.tip_mass),), ((self.length, self.tip_inertia),))
+        modes = Modes(
             omega=omega,
             b=np.ascontiguousarray(port_vectors.T @ vectors),
+            decay=self.damping.decay(omega),
             ports=self.ports,
             fields=(
-                Field("w", "m", lambda x: space.values(x) @ w_vectors, self.mass_per_length, ((self.length, self.tip_mass),)),
-                Field(
-                    "phi", "rad", lambda x: space.values(x) @ phi_vectors, self.rotary_inertia, ((self.length, self.tip_inertia),)
-                ),
+                Field("w", "m", lambda x: space.values(x) @ w_vectors, constant(self.mass_per_length), lumps[0]),
+                Field("phi", "rad", lambda x: space.values(x) @ phi_vectors, constant(self.rotary_inertia), lumps[1]),
             ),
             compliance=static_compliance(stiffness, port_vectors),
             rule=space.rule,
             breaks=space.breaks,
         )
+        return replace(modes, translation=modes.project("w", constant(1.0)))
 
     def initial_state(self, modes: Modes) -> tuple[Array, Array]:
         start = self.initial

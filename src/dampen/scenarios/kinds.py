@@ -2,14 +2,23 @@
 
 from __future__ import annotations
 
+import dataclasses
+import inspect
+from pathlib import Path
+
 from dampen.actuators.backlash import Backlash
 from dampen.actuators.ideal import Ideal
 from dampen.component import ArgumentError, Component, suggestion
+from dampen.controllers.base import Controller
 from dampen.controllers.dual_loop_ailc import DualLoopAILC
 from dampen.controllers.none import NoControl
+from dampen.disturbances.base import Disturbance
 from dampen.disturbances.harmonic_families import HarmonicFamilies
 from dampen.disturbances.none import NoDisturbance
+from dampen.own import own_object
+from dampen.plants.base import Plant
 from dampen.plants.timoshenko import TimoshenkoBeam
+from dampen.stage import Stage
 
 KINDS: dict[str, tuple[type[Component], ...]] = {
     "plant": (TimoshenkoBeam,),
@@ -17,13 +26,32 @@ KINDS: dict[str, tuple[type[Component], ...]] = {
     "disturbance": (NoDisturbance, HarmonicFamilies),
     "controller": (NoControl, DualLoopAILC),
 }
+FAMILIES: dict[str, type[Component]] = {"plant": Plant, "actuator": Stage, "disturbance": Disturbance, "controller": Controller}
 
 
-def find_kind(table: str, kind: object, where: str) -> type[Component]:
-    """The class behind a `kind`; raises ArgumentError with what is known."""
+def find_kind(table: str, kind: object, where: str, folder: Path) -> type[Component]:
+    """The class behind a `kind`: a shipped one by its name, or a user's own as "module:Class", looked for in `folder` too.
+
+    Raises ArgumentError with what is known.
+    """
     known = {cls.kind: cls for cls in KINDS[table]}
+    if isinstance(kind, str) and ":" in kind:
+        return own_class(table, kind, where, folder)
     if not isinstance(kind, str) or kind not in known:
         raise ArgumentError(
             f"Argument `{where}.kind` must be a known kind of {table}, but is {kind!r}{suggestion(str(kind), known)}"
         )
     return known[kind]
+
+
+def own_class(table: str, kind: str, where: str, folder: Path) -> type[Component]:
+    """The class that "module:Class" names."""
+    cls, family = own_object(kind, f"{where}.kind", folder), FAMILIES[table]
+    if not (isinstance(cls, type) and issubclass(cls, family)):
+        raise ArgumentError(f"Argument `{where}.kind` must name a subclass of dampen.{family.__name__}, but {kind!r} is none.")
+    if not dataclasses.is_dataclass(cls) or "__dataclass_params__" not in cls.__dict__:
+        raise ArgumentError(f"Argument `{where}.kind` must name a frozen dataclass, but {kind!r} lacks @dataclass(frozen=True).")
+    if inspect.isabstract(cls):
+        missing = ", ".join(sorted(getattr(cls, "__abstractmethods__")))
+        raise ArgumentError(f"Argument `{where}.kind` must name a complete class, but {kind!r} does not define {missing}.")
+    return cls

@@ -8,12 +8,12 @@ from collections.abc import Mapping, Sequence
 from dataclasses import fields
 from importlib import resources
 from pathlib import Path
-from typing import Any, get_type_hints
+from typing import Any, get_args, get_origin, get_type_hints
 
-from dampen.component import ArgumentError, Component, shown, split_hint, suggestion, wrong
+from dampen.component import ArgumentError, Component, InFile, shown, split_hint, suggestion, wrong
 from dampen.controllers.none import NoControl
 from dampen.disturbances.none import NoDisturbance
-from dampen.scenarios.kinds import KINDS, find_kind
+from dampen.scenarios.kinds import FAMILIES, KINDS, find_kind
 from dampen.simulation.scenario import Numerics, Output, Scenario, Task
 from dampen.stage import Stage
 
@@ -35,7 +35,8 @@ def read_scenario(source: str | Path, overrides: Sequence[str] = ()) -> Scenario
     Values are TOML values; a bare word is taken as a string. Setting a table's `kind` starts that table afresh from the
     defaults of the new kind. Raises ArgumentError, one line for every fault.
     """
-    return build(override(parse(source_text(source), str(source)), overrides))
+    folder = Path() if str(source) in shipped() else Path(source).parent
+    return build(override(parse(source_text(source), str(source)), overrides), folder)
 
 
 def source_text(source: str | Path) -> str:
@@ -109,83 +110,105 @@ def _index(target: list[Any], key: str, keys: list[str]) -> int:
     return int(key)
 
 
-def build(table: Mapping[str, Any]) -> Scenario:
-    """The scenario that a parsed file describes."""
-    faults: list[str] = []
-
-    def attempt(make: Any, *arguments: Any) -> Any:
-        try:
-            return make(*arguments)
-        except ArgumentError as error:
-            faults.extend(error.lines)
-
-    for key in table:
-        if key not in TOP:
-            faults.append(f"Argument `{key}` is not known{suggestion(key, TOP)}")
-    if "plant" not in table:
-        faults.append("Argument `plant` must be given: a table with a `kind`.")
-    parts: dict[str, Any] = {key: table[key] for key in ("name", "title", "claims") if key in table}
-    defaults = {"controller": NoControl, "disturbance": NoDisturbance}
-    for name in ("plant", "controller", "disturbance"):
-        given = name in table or name not in defaults
-        parts[name] = attempt(of_kind, name, table.get(name, {}), name) if given else defaults[name]()
-    for name, cls in TABLES.items():
-        parts[name] = attempt(component, cls, table.get(name, {}), name)
-    parts["bounds"] = attempt(_mapping, table.get("bounds", {}), "bounds")
-    parts["actuators"] = attempt(actuators, table.get("actuator", {}), parts["plant"])
-    if faults:
-        raise ArgumentError(faults)
-    return Scenario(**parts)
+def build(table: Mapping[str, Any], folder: Path = Path()) -> Scenario:
+    """The scenario that a parsed file describes; files and modules that it names are looked for in `folder`."""
+    return Builder(folder).scenario(table)
 
 
-def of_kind(table: str, values: Any, where: str) -> Any:
-    """A component of the class that `kind` names."""
-    values = _mapping(values, where)
-    if "kind" not in values:
-        known = ", ".join(f'"{cls.kind}"' for cls in KINDS[table])
-        raise ArgumentError(f"Argument `{where}.kind` must be given, one of {known}.")
-    cls = find_kind(table, values["kind"], where)
-    return component(cls, {key: value for key, value in values.items() if key != "kind"}, where)
+class Builder:
+    """Turns tables into objects, collecting every fault on the way."""
 
+    def __init__(self, folder: Path):
+        self.folder = folder
 
-def component(cls: type[Component], values: Any, where: str) -> Any:
-    """A component from its table; inner tables become inner components."""
-    values, hints = _mapping(values, where), get_type_hints(cls, include_extras=True)
-    names = [f.name for f in fields(cls)]
-    faults = [f"Argument `{where}.{key}` is not known{suggestion(key, names)}" for key in values if key not in names]
-    ready = {}
-    for key, value in values.items():
-        inner = split_hint(hints[key])[0] if key in names else None
-        try:
-            nested = isinstance(inner, type) and issubclass(inner, Component)
-            ready[key] = component(inner, value, f"{where}.{key}") if nested else value  # type: ignore[arg-type]
-        except ArgumentError as error:
-            faults += error.lines
-    if faults:
-        raise ArgumentError(faults)
-    try:
-        return cls(**ready)
-    except ArgumentError as error:
-        raise error.under(where) from None
+    def scenario(self, table: Mapping[str, Any]) -> Scenario:
+        faults: list[str] = []
 
+        def attempt(make: Any, *arguments: Any) -> Any:
+            try:
+                return make(*arguments)
+            except ArgumentError as error:
+                faults.extend(error.lines)
 
-def actuators(tables: Any, plant: Any) -> dict[str, tuple[Stage, ...]]:
-    """The chain of every port: its own table, or the one of `actuator.all`."""
-    chains: dict[str, tuple[Stage, ...]] = {}
-    for port, table in _mapping(tables, "actuator").items():
-        where = f"actuator.{port}"
-        table = _mapping(table, where)
         for key in table:
-            if key != "chain":
-                raise ArgumentError(f"Argument `{where}.{key}` is not known{suggestion(key, ['chain'])}")
-        chain = table.get("chain", [])
-        if not isinstance(chain, list):
-            raise wrong(f"{where}.chain", "be a list of tables", chain)
-        chains[port] = tuple(of_kind("actuator", stage, f"{where}.chain[{i}]") for i, stage in enumerate(chain))
-    common = chains.pop("all", None)
-    if common is not None and plant is not None:
-        chains = {port.name: chains.pop(port.name, common) for port in plant.ports} | chains
-    return chains
+            if key not in TOP:
+                faults.append(f"Argument `{key}` is not known{suggestion(key, TOP)}")
+        if "plant" not in table:
+            faults.append("Argument `plant` must be given: a table with a `kind`.")
+        parts: dict[str, Any] = {key: table[key] for key in ("name", "title", "claims") if key in table}
+        defaults = {"controller": NoControl, "disturbance": NoDisturbance}
+        for name in ("plant", "controller", "disturbance"):
+            given = name in table or name not in defaults
+            parts[name] = attempt(self.of_kind, name, table.get(name, {}), name) if given else defaults[name]()
+        for name, cls in TABLES.items():
+            parts[name] = attempt(self.component, cls, table.get(name, {}), name)
+        parts["bounds"] = attempt(_mapping, table.get("bounds", {}), "bounds")
+        parts["actuators"] = attempt(self.chains, table.get("actuator", {}), "actuator", parts["plant"])
+        if faults:
+            raise ArgumentError(faults)
+        return Scenario(**parts)
+
+    def of_kind(self, table: str, values: Any, where: str) -> Any:
+        """A component of the class that `kind` names."""
+        values = _mapping(values, where)
+        if "kind" not in values:
+            known = ", ".join(f'"{cls.kind}"' for cls in KINDS[table])
+            raise ArgumentError(f"Argument `{where}.kind` must be given, one of {known}.")
+        cls = find_kind(table, values["kind"], where, self.folder)
+        return self.component(cls, {key: value for key, value in values.items() if key != "kind"}, where)
+
+    def component(self, cls: type[Component], values: Any, where: str) -> Any:
+        """A component from its table; inner tables become inner components."""
+        values, hints = _mapping(values, where), get_type_hints(cls, include_extras=True)
+        names = [f.name for f in fields(cls)]
+        faults = [f"Argument `{where}.{key}` is not known{suggestion(key, names)}" for key in values if key not in names]
+        ready = {}
+        for key in (key for key in values if key in names):
+            try:
+                ready[key] = self.value(hints[key], values[key], f"{where}.{key}")
+            except ArgumentError as error:
+                faults += error.lines
+        if faults:
+            raise ArgumentError(faults)
+        try:
+            return cls(**ready)
+        except ArgumentError as error:
+            raise error.under(where) from None
+
+    def value(self, hint: Any, value: Any, where: str) -> Any:
+        """A value as its type hint wants it: tables become components, also inside lists and tables; files get their folder."""
+        base, extras = split_hint(hint)
+        inner, kinds = get_args(base), {family: name for name, family in reversed(FAMILIES.items())}
+        if isinstance(base, type) and issubclass(base, Component):
+            return self.of_kind(kinds[base], value, where) if base in kinds else self.component(base, value, where)
+        if any(isinstance(extra, InFile) for extra in extras) and isinstance(value, str) and value:
+            return str((self.folder / value).resolve())
+        if get_origin(base) is tuple and isinstance(value, list) and inner:
+            return tuple(self.value(inner[0], v, f"{where}[{i}]") for i, v in enumerate(value))
+        if get_origin(base) is dict and isinstance(value, dict):
+            return {k: self.value(inner[1], v, f"{where}.{k}") for k, v in value.items()}
+        if isinstance(value, dict) and inner:
+            known = [option for option in inner if isinstance(option, type) and issubclass(option, Component)]
+            return self.value(known[0], value, where) if known else value
+        return value
+
+    def chains(self, tables: Any, name: str, plant: Any) -> dict[str, tuple[Stage, ...]]:
+        """The chain of every port: its own table, or the one of `all`."""
+        chains: dict[str, tuple[Stage, ...]] = {}
+        for port, table in _mapping(tables, name).items():
+            where = f"{name}.{port}"
+            table = _mapping(table, where)
+            for key in table:
+                if key != "chain":
+                    raise ArgumentError(f"Argument `{where}.{key}` is not known{suggestion(key, ['chain'])}")
+            chain = table.get("chain", [])
+            if not isinstance(chain, list):
+                raise wrong(f"{where}.chain", "be a list of tables", chain)
+            chains[port] = tuple(self.of_kind(name, stage, f"{where}.chain[{i}]") for i, stage in enumerate(chain))
+        common = chains.pop("all", None)
+        if common is not None and plant is not None:
+            chains = {port.name: chains.pop(port.name, common) for port in plant.ports} | chains
+        return chains
 
 
 def _mapping(value: Any, where: str) -> Table:

@@ -103,9 +103,9 @@ def confirm(port, stages, v_free, g, dt):
 
 def still_sticks(port, stages, hold, give):
     """Try to deliver the new holding force from the flank that delivered the last."""
-    command = port.command + (hold - port.held) * port.inverse_gain
+    command = port.command + (hold - port.held) / port.feedthrough
     output = through(port, command, stages)
-    scale = abs(hold) + port.gain * (abs(command) + port.coulomb)
+    scale = abs(hold) + port.feedthrough * (abs(command) + port.coulomb)
     if abs(output - hold) > TOLERANCE * scale or abs(command - port.middle) > port.coulomb:
         return False
     settle(port, hold, command, 0.0, -give)
@@ -150,9 +150,9 @@ def command_for(port, target, near, near_output, far, far_output, stages):
 
     On a flank of full slope one step from either end lands on it; elsewhere the bracket is halved.
     """
-    scale = abs(target) + abs(far_output) + port.gain * (abs(near) + abs(far))
+    scale = abs(target) + abs(far_output) + port.feedthrough * (abs(near) + abs(far))
     low, high = min(near, far), max(near, far)
-    guess = far - (far_output - target) / port.gain
+    guess = far - (far_output - target) / port.feedthrough
     for iteration in range(ITERATIONS):
         output = through(port, guess, stages)
         if abs(output - target) <= TOLERANCE * scale or guess == low or guess == high:
@@ -161,7 +161,7 @@ def command_for(port, target, near, near_output, far, far_output, stages):
             low = max(low, guess)
         else:
             high = min(high, guess)
-        guess = near - (near_output - target) / port.gain if iteration == 0 else 0.5 * (low + high)
+        guess = near - (near_output - target) / port.feedthrough if iteration == 0 else 0.5 * (low + high)
     return guess
 
 

@@ -24,9 +24,10 @@ _ROW = (float, MODES_AT_MOST + 32)
 
 PORT = np.dtype(
     [
-        # the chain of stages between law and force: stages first .. last - 1, their slope in full motion, the compliance
-        ("first", int), ("last", int), ("gain", float),
-        ("inverse_gain", float), ("soft", float),
+        # the chain of stages between law and force: stages first .. last - 1, their slope in full motion and within a step
+        ("first", int), ("last", int), ("gain", float), ("feedthrough", float),
+        # the port's numerical compliance
+        ("soft", float),
         # the law: constant in a trial, then held over the step
         ("damping", float), ("barrier", float), ("limit", float), ("feedforward", float), ("coulomb", float),
         # the port as the step begins

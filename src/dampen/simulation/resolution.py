@@ -6,23 +6,26 @@ import numpy as np
 
 from dampen.component import wrong
 from dampen.plants.base import Modes
+from dampen.port import Site
 from dampen.simulation.scenario import Scenario
 
 REFUSED, WANTED = 4, 10
 SHORTEST_WAVES = 2000
 
 
-def check_resolution(scenario: Scenario, modes: Modes) -> list[str]:
+def check_resolution(scenario: Scenario, modes: Modes, site: Site) -> list[str]:
     """Warnings, one line each; raises ArgumentError where a disturbance would be sampled beyond recognition.
 
     A period must have more than 4 steps and should have 10; the highest mode should be faster than anything that shakes a
     port, since what is faster than all modes meets only their static compliance.
     """
-    step, ports, span = scenario.numerics.step, scenario.plant.ports, scenario.plant.span
-    contents = [scenario.disturbance.content(j, scenario.task.trial_duration, ports, span) for j in range(scenario.task.trials)]
-    fastest = [max(*c.port_frequency, c.load_frequency, 0.0) for c in contents]
-    trial = int(np.argmax(fastest))
-    frequency, wave = fastest[trial], min(c.load_wave for c in contents)
+    step, span, source = scenario.numerics.step, scenario.plant.span, scenario.disturbance
+    different = sorted({source.same_as(j) for j in range(scenario.task.trials)})
+    contents = [[part.content(j, site) for part in source.parts] for j in different]
+    fastest = [max((max((*c.port_frequency, c.load_frequency)) for c in parts), default=0.0) for parts in contents]
+    worst = int(np.argmax(fastest))
+    trial, frequency = different[worst], fastest[worst]
+    wave = min((c.load_wave for parts in contents for c in parts), default=np.inf)
     if frequency * step * REFUSED >= 1:
         must = f"be < {1 / (REFUSED * frequency):.2g} s to resolve the {frequency:g} Hz that shake trial {trial}"
         raise wrong("numerics.step", must, step)

@@ -14,7 +14,7 @@ from typing_extensions import Doc
 from dampen.component import ArgumentError, Component, wrong
 from dampen.controllers.base import Controller, Setting
 from dampen.disturbances.base import Disturbance
-from dampen.plants.base import Discretisation, Plant
+from dampen.plants.base import Plant
 from dampen.simulation.kernel import MODES_AT_MOST
 from dampen.stage import Stage
 
@@ -40,7 +40,7 @@ class Task(Component):
 class Numerics(Component):
     """How the experiment is computed."""
 
-    discretisation: Annotated[Discretisation, Doc("in space")] = "spectral"
+    discretisation: Annotated[Literal["spectral", "finite-difference"], Doc("in space")] = "spectral"
     modes: Annotated[int, Ge(1), Le(MODES_AT_MOST), Doc("number of modes kept")] = 80
     points: Annotated[int, Ge(3), Le(1001), Doc("grid points of the finite-difference grid, clamp included")] = 51
     step: Annotated[float, Gt(0), Unit("s"), Doc("time step; must divide the trial's duration")] = 0.001
@@ -85,6 +85,8 @@ class Scenario(Component):
             for key in given:
                 if key not in known:
                     raise ArgumentError(f"Argument `{table}.{key}` is not a port of this plant; known here: {', '.join(known)}.")
+        if self.numerics.discretisation == "finite-difference" and not self.plant.has_grid:
+            raise wrong("numerics.discretisation", 'be "spectral" for this plant', self.numerics.discretisation)
         ratio = self.task.trial_duration / self.numerics.step
         if not np.isfinite(ratio) or abs(ratio - round(ratio)) > 1e-9 * ratio or round(ratio) < 1:
             raise wrong("numerics.step", f"divide task.trial_duration = {self.task.trial_duration:g} s", self.numerics.step)

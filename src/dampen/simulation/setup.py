@@ -8,9 +8,12 @@ from typing import Any
 
 import numpy as np
 
-from dampen.component import wrong
+from dampen.component import ArgumentError, wrong
 from dampen.controllers.base import PortLaw
+from dampen.disturbances.base import Disturbance
+from dampen.modal import Propagator, propagator
 from dampen.plants.base import Modes
+from dampen.port import Site
 from dampen.simulation import kernel
 from dampen.simulation.closure import SOFTNESS
 from dampen.simulation.compiled import bind, compiled, is_cached
@@ -33,12 +36,15 @@ class Bench:
     def __init__(self, scenario: Scenario):
         numerics, plant = scenario.numerics, scenario.plant
         self.scenario = scenario
-        self.modes: Modes = plant.modes(numerics.modes, numerics.discretisation, numerics.points)
-        self.step = exact_step(self.modes, numerics.step)
+        self.site = Site(plant.ports, plant.span, scenario.task.trial_duration)
+        on_grid = numerics.discretisation == "finite-difference"
+        self.modes: Modes = plant.modes(numerics.modes, numerics.points) if on_grid else plant.modes(numerics.modes)
+        self.motion = propagator(self.modes, numerics.step)
+        self.step = exact_step(self.modes, self.motion, numerics.step)
         self.midpoints = (np.arange(scenario.steps) + 0.5) * numerics.step
         self.x = output_points(scenario)
         self.start = plant.initial_state(self.modes)
-        self.warnings = check_resolution(scenario, self.modes)
+        self.warnings = check_resolution(scenario, self.modes, self.site)
         self.check_start(scenario)
         self._stages: list[type[Stage]] = []
         self._loads: dict[int, tuple[Array, Array, Array]] = {}
@@ -61,7 +67,7 @@ class Bench:
 
     def initial_state(self) -> Any:
         """The record of all modes as trial 0 begins."""
-        return modal_record(self.modes, self.step.dt, *self.start)
+        return modal_record(self.modes, self.motion, *self.start)
 
     def check_start(self, scenario: Scenario) -> None:
         """A barrier needs the tip inside it, as the modes have it: few modes can put it beyond a shape that was inside."""
@@ -83,23 +89,34 @@ class Bench:
         source = self.scenario.disturbance
         key = source.same_as(trial)
         if key not in self._loads:
-            disturbance = np.ascontiguousarray(source.at_ports(key, self.midpoints, self.modes.ports))
-            load = aligned(self._modal_load(key))
-            compliance = self.modes.b * response(self.modes.omega, self.step.dt) / self.step.dt
-            drift = load @ compliance.T + disturbance @ self.step.g
+            disturbance = np.zeros((len(self.midpoints), len(self.site.ports)))
+            load = aligned(np.zeros((len(self.midpoints), self.modes.count)))
+            for part in source.parts:
+                at_ports = part.at_ports(key, self.midpoints, self.site)
+                if at_ports is not None:
+                    disturbance += at_ports
+                self._add_load(load, part, key)
+            drift = load @ (self.modes.b * self.motion.psi / self.step.dt).T + disturbance @ self.step.g
             if (len(self._loads) + 1) * load.nbytes > LOADS_KEPT:
                 self._loads.clear()
             self._loads[key] = disturbance, load, drift
         return self._loads[key]
 
-    def _modal_load(self, trial: int) -> Array:
-        source, modes = self.scenario.disturbance, self.modes
-        if source.load_field is None:
-            return np.zeros((len(self.midpoints), modes.count))
-        content = source.content(trial, self.scenario.task.trial_duration, modes.ports, self.scenario.plant.span)
-        x, matrix = modes.load_rule(source.load_field, content.load_wave)
-        blocks = np.array_split(self.midpoints, max(1, len(self.midpoints) // LOAD_BLOCK))
-        return np.concatenate([source.load(trial, t, x) @ matrix for t in blocks])
+    def _add_load(self, load: Array, part: Disturbance, trial: int) -> None:
+        """Add to the modal load (steps, modes) what one part of the disturbance puts along the structure."""
+        modes, t = self.modes, self.midpoints
+        if part.load_field is not None:
+            x, matrix = modes.load_rule(part.load_field, part.content(trial, self.site).load_wave)
+            for block in np.array_split(np.arange(len(t)), max(1, len(t) // LOAD_BLOCK)):
+                load[block] += part.load(trial, t[block], x, self.site) @ matrix
+        if part.point_field is not None:
+            place, force = part.point_load(trial, t, self.site)
+            load += force[:, None] * modes.field(part.point_field).shapes(place)
+        acceleration = part.base_acceleration(trial, t, self.site)
+        if acceleration is not None:
+            if modes.translation is None:
+                raise ArgumentError("Argument `disturbance` shakes the base, but this plant cannot be shaken there.")
+            load -= np.outer(acceleration, modes.translation)
 
 
 def output_points(scenario: Scenario) -> Array:
@@ -107,34 +124,28 @@ def output_points(scenario: Scenario) -> Array:
     return np.linspace(0, scenario.plant.span, scenario.output.points)
 
 
-def exact_step(modes: Modes, dt: float) -> Step:
-    """What the ports see of a step of the (undamped) modes under held forces."""
-    omega, b = modes.omega, modes.b
-    c12, psi = np.sin(omega * dt) / omega, response(omega, dt)
-    g = (b * psi) @ b.T / dt
-    pad = np.zeros((len(b) % 2, len(omega)))
-    rows = (np.vstack([part, pad]) for part in (b, -b * psi * omega**2 / dt, b * c12 / dt))
+def exact_step(modes: Modes, motion: Propagator, dt: float) -> Step:
+    """What the ports see of a step of the modes under held forces."""
+    b = modes.b
+    g = (b * motion.psi) @ b.T / dt
+    pad = np.zeros((len(b) % 2, modes.count))
+    fall = -(modes.omega**2) * motion.psi  # c11 - 1, without cancellation
+    rows = (np.vstack([part, pad]) for part in (b, b * fall / dt, b * motion.c12 / dt))
     b_rows, q_rows, rate_rows = map(aligned, rows)
     return Step(dt, b_rows, q_rows, rate_rows, aligned(g), aligned(g))
 
 
-def modal_record(modes: Modes, dt: float, q: Array, rate: Array) -> Any:
+def modal_record(modes: Modes, motion: Propagator, q: Array, rate: Array) -> Any:
     """The kernel's record of all modes, in the state q, rate."""
-    omega, n = modes.omega, modes.count
+    n = modes.count
     modal = on_cache_line(MODAL.itemsize).view(MODAL).view(np.recarray)
-    cosine, sine = np.cos(omega * dt), np.sin(omega * dt)
-    rows = {"q": q, "rate": rate, "c11": cosine, "c12": sine / omega, "c21": -omega * sine, "c22": cosine}
-    rows |= {"psi": response(omega, dt), "omega2": omega**2}
+    rows = {"q": q, "rate": rate, "omega2": modes.omega**2}
+    rows |= {name: getattr(motion, name) for name in ("c11", "c12", "c21", "c22", "psi")}
     rows |= {f"b{p}": row for p, row in enumerate(modes.b[:2])}
     for name, row in rows.items():
         modal[name][0, :n] = row
     modal["count"] = n
     return modal
-
-
-def response(omega: Array, dt: float) -> Array:
-    """psi: displacement of each mode after a step under a unit modal force, from rest."""
-    return np.asarray(2 * (np.sin(omega * dt / 2) / omega) ** 2)
 
 
 def port_records(scenario: Scenario, step: Step, classes: Sequence[type[Stage]]) -> tuple[Any, Any]:
@@ -143,20 +154,22 @@ def port_records(scenario: Scenario, step: Step, classes: Sequence[type[Stage]])
     ports = np.zeros(len(chains), PORT).view(np.recarray)
     stages = np.zeros(max(1, sum(map(len, chains))), STAGE).view(np.recarray)
     ports.soft, ports.limit, ports.gain = SOFTNESS * np.diag(step.g), scenario.limits, 1.0
+    ports.feedthrough = 1.0
     s = 0
     for port, chain in zip(ports, chains, strict=True):
         port.first, port.last = s, s + len(chain)
         for stage in chain:
-            row = stage.row()
+            row = stage.row(step.dt)
             if len(row) > STAGE_PARAMETERS or stage.states > STAGE_STATES:
                 raise ValueError(
                     f"{type(stage).__name__} needs more than {STAGE_PARAMETERS} parameters or {STAGE_STATES} states."
                 )
             stages[s].code, stages[s].states = classes.index(type(stage)), stage.states
             stages[s].parameters[: len(row)] = row
+            stages[s].state[: stage.states] = stage.start()
             port.gain *= stage.gain
+            port.feedthrough *= stage.feedthrough(step.dt)
             s += 1
-        port.inverse_gain = 1 / port.gain
     return ports, stages
 
 
