@@ -139,9 +139,7 @@ class Damping(Component):
     dragged by viscous times mass times velocity.
     """
 
-    ratio: Annotated[
-        float | tuple[float, ...], Ge(0), Doc("modal damping ratio: one for all, or a list, lowest first")
-    ] = 0.0
+    ratio: Annotated[float | tuple[float, ...], Ge(0), Doc("modal damping ratio: one for all, or a list, lowest first")] = 0.0
     kelvin_voigt: Annotated[float, Ge(0), Unit("s"), Doc("retardation time of the material")] = 0.0
     viscous: Annotated[float, Ge(0), Unit("1/s"), Doc("drag per mass")] = 0.0
 
