@@ -20,8 +20,10 @@ from paper_loop import paper_loop
 
 import dampen
 from dampen.controllers.base import Trial
-from dampen.simulation.setup import Bench, port_records
-from dampen.simulation.trials import empty_record
+from dampen.simulation.bench import Bench
+from dampen.simulation.digital_side import idle
+from dampen.simulation.records import empty_record, port_records
+from dampen.simulation.setting import setting_of
 
 MODES, TRIALS, STEPS = 64, 25, 2000
 
@@ -29,17 +31,17 @@ MODES, TRIALS, STEPS = 64, 25, 2000
 def kernel_seconds(scenario: dampen.Scenario, bench: Bench) -> tuple[float, float]:
     """Seconds that the compiled kernel takes for all trials, and the last trial's largest |w(L)|."""
     kernel, classes = bench.kernel(scenario)
-    ports, stages = port_records(scenario, bench.step, classes)
-    modal = bench.initial_state()
-    setting, controller = scenario.setting, scenario.controller
+    ports, stages = port_records([scenario.chain(p) for p in range(2)], bench.step, classes)
+    modal, sampler = bench.modal_record(), idle(2)
+    setting, controller = setting_of(scenario, bench=bench), scenario.controller
     memory, seconds = controller.begin(setting), 0.0
     record = empty_record(scenario.steps, len(ports), bench.modes.count, scenario.output.every)
     for j in range(scenario.task.trials):
         law = controller.law(memory, setting)
         ports.damping, ports.barrier = law.damping, law.barrier
-        inputs = bench.inputs(j, law)
+        inputs = bench.inputs(scenario, j, law)
         begin = time.perf_counter()
-        kernel(modal, bench.step, inputs, ports, stages, scenario.output.every, record)
+        kernel(modal, bench.step, inputs, sampler, ports, stages, scenario.output.every, record)
         seconds += time.perf_counter() - begin
         memory = controller.learn(memory, Trial(j, record.y, record.v, record.command), setting)
     return seconds, float(np.abs(record.y[:, 0]).max())

@@ -11,7 +11,7 @@ from collections.abc import Callable
 import pytest
 
 import dampen
-from dampen.simulation.setup import Bench
+from dampen.simulation.bench import Bench
 
 FINE = ("numerics.modes=100", "numerics.step=1e-4", "task.trials=10", "output.every=100")
 COARSE = ("numerics.modes=64", "numerics.step=1e-3", "task.trials=10")
@@ -41,5 +41,4 @@ def paper_runs() -> tuple[dampen.Result, dampen.Result]:
     """The shipped scenario with and without control."""
     shipped = scenario()
     bench = Bench(shipped)
-    uncontrolled = shipped.with_controller(dampen.NoControl())
-    return dampen.simulate(shipped, bench=bench), dampen.simulate(uncontrolled, bench=bench)
+    return dampen.simulate(shipped, bench=bench), dampen.simulate(shipped.uncontrolled(), bench=bench)

@@ -7,7 +7,8 @@ import pytest
 
 import dampen
 from dampen.controllers.base import PortLaw
-from dampen.simulation.setup import Bench
+from dampen.simulation.bench import Bench
+from dampen.simulation.setting import setting_of
 from tests import oracle
 from tests.conftest import READINGS, scenario
 
@@ -31,14 +32,15 @@ def test_kernel_agrees_with_the_independent_oracle(law: str, grid: str, step: st
     result, bench = dampen.simulate(case), Bench(case)
     modes, n = bench.modes, case.steps
     q, rate = case.plant.initial_state(modes)
-    setting, memory = case.setting, case.controller.begin(case.setting)
+    setting = setting_of(case)
+    memory = case.controller.begin(setting)
     states, slow, force = [0.0, 0.0], np.zeros(2), np.zeros(2)
     for j in range(case.task.trials):
         port_law: PortLaw = case.controller.law(memory, setting)
         disturbance, load, _ = bench.shaking(j)
         trial = oracle.simulate(
             modes.omega, modes.b, q, rate, case.numerics.step, port_law.feedforward, port_law.coulomb, port_law.damping,
-            port_law.barrier, case.limits, disturbance, load, deliveries(case), states, slow, force,
+            port_law.barrier, case.limits()[1][0], disturbance, load, deliveries(case), states, slow, force,
         )  # fmt: skip
         for name in ("y", "v", "delivered", "energy"):
             expected = getattr(trial, name)

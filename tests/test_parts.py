@@ -14,11 +14,12 @@ from hypothesis import strategies as st
 import dampen
 from dampen.analysis.claims import Claim, verdict_sentence
 from dampen.controllers.base import Setting, Trial
-from dampen.controllers.dual_loop_ailc import AssumedBacklash, FlankInverse
+from dampen.controllers.inner_loop import AssumedBacklash, FlankInverse
 from dampen.port import Site
 from dampen.scenarios.he2017.claims import _trend
 from dampen.scenarios.he2017.composite_energy import composite_energy
-from dampen.simulation.barrier import EDGE, barrier_gradient, log_ratio, log_ratio_at
+from dampen.simulation.log_barrier import EDGE, carried, fresh, gradient
+from dampen.simulation.setting import setting_of
 from dampen.stage import Stage
 from tests.conftest import READINGS, scenario
 
@@ -90,28 +91,28 @@ def test_barrier_gradient_is_the_quotient_of_its_potential(y: float, y_new: floa
         return np.log1p(-s * s) ** 2 / 4
 
     exact = float((v(y_new) - v(y)) / (np.longdouble(y_new) - np.longdouble(y))) if abs(y_new - y) > 1e-4 else None
-    got = barrier_gradient(y, y_new, log_ratio(y, 1.0), 1.0)
+    got = gradient(y, y_new, fresh(y, 1.0), 1.0)
     if exact is not None:
         assert got == pytest.approx(exact, rel=1e-10, abs=1e-13)
     middle = (y + y_new) / 2
     if abs(y - y_new) < 1e-7 and abs(middle) < 0.99:
-        assert got == pytest.approx(middle / (1 - middle**2) * log_ratio(middle, 1.0), rel=1e-6, abs=1e-15)
+        assert got == pytest.approx(middle / (1 - middle**2) * fresh(middle, 1.0), rel=1e-6, abs=1e-15)
 
 
 @given(y=st.floats(-1.5, 1.5), a=st.floats(-1.5, 1.5), b=st.floats(-1.5, 1.5))
 def test_barrier_gradient_does_not_decrease_even_beyond_the_limit(y: float, a: float, b: float) -> None:
-    log_y = log_ratio(y, 1.0) if abs(y) <= EDGE else 0.0
-    low, high = (barrier_gradient(y, s, log_y, 1.0) for s in (min(a, b), max(a, b)))
+    log_y = fresh(y, 1.0) if abs(y) <= EDGE else 0.0
+    low, high = (gradient(y, s, log_y, 1.0) for s in (min(a, b), max(a, b)))
     assert math.isfinite(low)
     assert high >= low - 1e-9 * abs(low)
 
 
 @given(path=st.lists(st.floats(-0.999, 0.999), min_size=2, max_size=50))
 def test_carried_logarithm_equals_the_fresh_one(path: list[float]) -> None:
-    log_y = log_ratio(path[0], 1.0)
+    log_y = fresh(path[0], 1.0)
     for y, y_new in pairwise(path):
-        log_y = log_ratio_at(y_new, y, log_y, 1.0)
-    assert log_y == pytest.approx(log_ratio(path[-1], 1.0), rel=1e-12, abs=1e-14)
+        log_y = carried(y_new, y, log_y, 1.0)
+    assert log_y == pytest.approx(fresh(path[-1], 1.0), rel=1e-12, abs=1e-14)
 
 
 def test_disturbances_are_equations_26_to_28() -> None:
@@ -139,7 +140,7 @@ def test_frozen_frequencies_repeat_one_trial() -> None:
 
 def test_learning_is_equations_15_to_18() -> None:
     law = dampen.DualLoopAILC(alpha_4=2.0, alpha_7=3.0, alpha_8=0.5, alpha_9=0.7)
-    setting = Setting(scenario().plant.ports, 4, 0.1, 1.0, np.array([0.2, 0.2]), {"f": 0.15, "tip_w": 0.3, "tip_phi": 0.3})
+    setting = setting_of(scenario("task.trial_duration=0.004", "output.every=1"))
     v = np.array([[-1.0, 0.5], [0.0, 0.0], [0.01, -0.01], [1.0, 1.0]])
     memory = {"zeta": np.full((4, 2), 0.05), "d_hat": np.full((4, 2), 0.2)}
     after = law.learn(memory, Trial(0, np.zeros((5, 2)), v, np.zeros((4, 2))), setting)

@@ -17,9 +17,9 @@ from dampen.component import ArgumentError
 
 # One function a command; heavy packages are imported where they are used, so that --help is quick.
 if TYPE_CHECKING:
+    from dampen.simulation.bench import Bench
     from dampen.simulation.result import Result
     from dampen.simulation.scenario import Scenario
-    from dampen.simulation.setup import Bench
 
 COMPLETED, BAD_INPUT, BROKE_OFF = 0, 2, 3
 
@@ -70,7 +70,7 @@ def run(
 
     from dampen.scenarios.claims import check_claims, figure_plan, note
     from dampen.scenarios.read import read_scenario
-    from dampen.simulation.setup import Bench
+    from dampen.simulation.bench import Bench
 
     experiment = read_scenario(scenario, set_ or ())
     with threadpool_limits(1):
@@ -86,7 +86,7 @@ def run(
         with working("Drawing figures"):
             write_report(folder, result, baseline, claims, figure_plan(result), note(result))
     show_outcome(result, claims, note(result), folder)
-    if result.status != "complete" or (baseline is not None and baseline.status != "complete"):
+    if result.broke_off or (baseline is not None and baseline.broke_off):
         raise typer.Exit(BROKE_OFF)
 
 
@@ -162,14 +162,13 @@ def run_both(bench: Bench, folder: Path) -> tuple[Result, Result | None]:
         result = simulate(scenario, store=FileStore(folder / "result.nc"), progress=advance, bench=bench)
         if not controlled or result.status == "interrupted":
             return result, None if controlled else result
-        uncontrolled = scenario.with_controller(NoControl())
-        baseline = simulate(uncontrolled, store=FileStore(folder / "uncontrolled.nc"), progress=advance, bench=bench)
+        baseline = simulate(scenario.uncontrolled(), store=FileStore(folder / "uncontrolled.nc"), progress=advance, bench=bench)
     return result, baseline
 
 
 def compile_ahead(scenario: Scenario, bench: Bench) -> None:
     """Say so before the wait: the first run on a machine compiles the kernel."""
-    from dampen.simulation.setup import is_ready
+    from dampen.simulation.compose import is_ready
 
     kernel, _ = bench.kernel(scenario)
     if not is_ready(kernel):
@@ -205,7 +204,7 @@ def show_outcome(result: Result, claims: list, note: str, folder: Path) -> None:
 
     from dampen.analysis.claims import verdict_sentence
 
-    if result.status != "complete":
+    if result.broke_off:
         err.print(
             f"The run broke off ({result.status}) after {result.trials} of {result.scenario.task.trials} trials.", markup=False
         )

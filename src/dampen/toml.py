@@ -13,21 +13,21 @@ from dampen.component import Component, parameters
 def to_toml(scenario: Component) -> str:
     """A scenario as a TOML file that reads back to the same scenario."""
     lines: list[str] = []
-    actuators = None
+    tables, chains = {"actuators": "actuator", "compensation": "compensation"}, []
     for f in fields(scenario):
         value = getattr(scenario, f.name)
-        if f.name == "actuators":
-            actuators = value
-        elif not isinstance(value, Component | Mapping) and value not in (None, ""):
+        if f.name not in tables and not isinstance(value, Component | Mapping) and value not in (None, ""):
             lines.append(f"{f.name} = {literal(value)}")
     for f in fields(scenario):
         value = getattr(scenario, f.name)
-        if isinstance(value, Component):
+        if f.name in tables:
+            chains += [(f"{tables[f.name]}.{port}", chain) for port, chain in value.items()]
+        elif isinstance(value, Component):
             lines += _table(f.name, value)
-        elif isinstance(value, Mapping) and value is not actuators and value:
+        elif isinstance(value, Mapping) and value:
             lines += ["", f"[{f.name}]", *(f"{key} = {literal(v)}" for key, v in value.items())]
-    for port, chain in (actuators or {}).items():
-        lines += ["", f"[actuator.{port}]", f"chain = {literal(chain)}"]
+    for name, chain in chains:
+        lines += ["", f"[{name}]", f"chain = {literal(chain)}"]
     return "\n".join(lines) + "\n"
 
 

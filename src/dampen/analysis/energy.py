@@ -13,10 +13,11 @@ from dampen.simulation.result import Result
 class EnergyAccount:
     """Energies and works over all finished trials [J].
 
-    final - initial = law + actuator + disturbance + load. `control` = law + actuator is the work of the delivered forces;
-    `law` is what the actuator's slope makes of the law's value, `actuator` the rest (a backlash's bounded part, a
-    saturation's loss). The law's part that goes into the barrier is `barrier_final - barrier_initial`, taken from `law`;
-    what the ports' numerical compliance stores and loses is part of `control` as well.
+    final - initial = law + actuator + disturbance + load - dissipated. `control` = law + actuator is the work of the
+    delivered forces, `dissipated` what the structure's own damping takes. `law` is what the actuator's slope makes of the
+    law's value, `actuator` the rest (a backlash's bounded part, a saturation's loss). The law's part that goes into barrier
+    and stiffness is `barrier_final - barrier_initial`, taken from `law`; what the ports' numerical compliance stores and loses
+    is part of `control` as well.
     """
 
     initial: float
@@ -25,6 +26,7 @@ class EnergyAccount:
     actuator: float
     disturbance: float
     load: float
+    dissipated: float
     barrier_initial: float
     barrier_final: float
     compliance_stored: float
@@ -38,14 +40,14 @@ class EnergyAccount:
     @property
     def error(self) -> float:
         """|change of energy - work| / largest energy, over the whole run."""
-        change = self.final - self.initial - self.control - self.disturbance - self.load
+        change = self.final - self.initial - self.control - self.disturbance - self.load + self.dissipated
         return abs(change) / self.largest if self.largest else 0.0
 
 
 def energy_account(result: Result) -> EnergyAccount:
     """The account of a run, read trial by trial."""
     if not result.trials:
-        return EnergyAccount(*(0.0,) * 11)
+        return EnergyAccount(*(0.0,) * 12)
     last = result.trials - 1
 
     def total(name: str) -> float:
@@ -58,6 +60,7 @@ def energy_account(result: Result) -> EnergyAccount:
         actuator=total("work_actuator"),
         disturbance=total("work_disturbance"),
         load=total("work_load"),
+        dissipated=total("dissipated"),
         barrier_initial=float(result["barrier_energy"][0][0]),
         barrier_final=float(result["barrier_energy"][last][-1]),
         compliance_stored=float(result["compliance_energy"][last][-1]),

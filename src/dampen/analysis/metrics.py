@@ -34,3 +34,17 @@ def largest(result: Result, name: str, port: str | None = None) -> Array:
 def port_rms(result: Result, port: str, trial: int) -> float:
     """Root mean square of a port's displacement over a trial."""
     return float(np.sqrt(np.mean(np.square(np.asarray(result["y"][trial])[:, port_index(result, port)]))))
+
+
+def fraction_of_limit(result: Result, port: str) -> Array:
+    """(trials,) largest share of its constraint that a port used in each trial: 1 is the limit; 0 where there is none.
+
+    Limits that lie unevenly about the reference, or move, are taken as they are at each time.
+    """
+    p, shares = port_index(result, port), []
+    for j in range(result.trials):
+        reference = result.scenario.reference(j)[:, p]
+        low, high = (limit[:, p] - reference for limit in result.scenario.limits(j))
+        error = np.asarray(result["y"][j])[:, p] - reference
+        shares.append(float(np.max(np.where(error >= 0, error / high, error / low))))
+    return np.array(shares)

@@ -3,55 +3,95 @@
 from __future__ import annotations
 
 from abc import abstractmethod
-from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, field
+from typing import Any, ClassVar, Literal
 
 import numpy as np
 
 from dampen.component import Component
+from dampen.modal import ModalModel
 from dampen.port import Port
 from dampen.stage import Stage
 
 Array = np.ndarray
 Memory = Mapping[str, Array]
+SampledStep = Callable[[Any, Array, Array, Array], None]
 
 
 @dataclass(frozen=True)
 class Setting:
-    """What a controller may know of its task: ports, steps, constraint (ports,), and bounds on what shakes the structure.
+    """What a controller may know of its task.
 
-    bounds: by port name [N, N m], and "f" for the distributed load [N/m]; as stated in the scenario, true or not.
+    ports, length: of the structure.   steps, dt: the intervals at which the law acts, those of the simulation, or its samples.
+    reference, low, high: (steps + 1, ports) what the ports are to follow in the trial ahead, and the limits of the tracking
+    error e = y - reference.   bounds: by port name [N, N m], and "f" for the distributed load [N/m]; as stated in the scenario,
+    true or not.   sampled: whether the law acts through samples, whose commands arrive `delay` [s] later.
+    model: the structure's modes.   response: (steps, ports, ports) the tracking error at the ends of the intervals, by port,
+    after a unit of feedforward in the first interval, by port, with the law's own feedback at work; both computed when asked.
     """
 
-    ports: Sequence[Port]
+    ports: tuple[Port, ...]
     steps: int
     dt: float
     length: float
-    constraint: Array
+    reference: Array
+    low: Array
+    high: Array
     bounds: Mapping[str, float]
+    sampled: bool = False
+    delay: float = 0.0
+    model: Callable[[], ModalModel] = field(default=lambda: _unknown())
+    response: Callable[[], Array] = field(default=lambda: _unknown())
+
+    @property
+    def times(self) -> Array:
+        """(steps,) when the law acts: at its samples, or at the middle of each step [s]."""
+        return (np.arange(self.steps) + (0.0 if self.sampled else 0.5)) * self.dt
+
+    def by_port(self, values: Mapping[str, float], default: float = 0.0) -> Array:
+        """(ports,) numbers that were given by port name."""
+        return np.array([values.get(port.name, default) for port in self.ports])
+
+    def by_kind(self, force: float, torque: float) -> Array:
+        """(ports,) one number for force ports, another for torque ports."""
+        return np.array([force if port.kind == "force" else torque for port in self.ports])
+
+
+def _unknown() -> Any:
+    raise RuntimeError("This setting has no model.")
 
 
 @dataclass(frozen=True)
 class PortLaw:
-    """The monotone law at the ports for one trial,
+    """The monotone law at the ports for one trial, with e = y - reference and v its rate,
 
-        u in feedforward - damping v - coulomb Sgn(v) - barrier dV/dy,     V(y) = 1/4 ln^2(C^2 / (C^2 - y^2))
+        u in feedforward - damping v - coulomb Sgn(v) - stiffness e - barrier dV/de
 
-    feedforward, coulomb: (steps, ports).   damping, barrier: (ports,).   All but feedforward must be >= 0.
+    feedforward, coulomb: (steps, ports).   damping, stiffness, barrier: (ports,).   All but feedforward must be >= 0.
+    V is the barrier of the controller's `barrier_shape`, for the log barrier V(e) = 1/4 ln^2(C^2 / (C^2 - e^2)).
     """
 
     feedforward: Array
-    coulomb: Array
-    damping: Array
-    barrier: Array
+    coulomb: Array = None  # type: ignore[assignment]  # zeros from then on
+    damping: Array = None  # type: ignore[assignment]  # zeros from then on
+    stiffness: Array = None  # type: ignore[assignment]  # zeros from then on
+    barrier: Array = None  # type: ignore[assignment]  # zeros from then on
+
+    def __post_init__(self) -> None:
+        steps, ports = np.shape(self.feedforward)
+        for name in ("coulomb", "damping", "stiffness", "barrier"):
+            if getattr(self, name) is None:
+                object.__setattr__(self, name, np.zeros((steps, ports) if name == "coulomb" else ports))
 
 
 @dataclass(frozen=True)
 class Trial:
-    """What a controller gets to see of a finished trial: y (steps + 1, ports); v, command (steps, ports)."""
+    """What a controller gets to see of a finished trial, as it measured it: tracking error (steps + 1, ports), its rate v and
+    the command (steps, ports)."""
 
     index: int
-    y: Array
+    error: Array
     v: Array
     command: Array
 
@@ -60,9 +100,19 @@ class Controller(Component):
     """A law at the ports (inner loop) and what it learns between trials (outer loop). Memories are (steps, ports) arrays."""
 
     @property
-    def uses_barrier(self) -> bool:
-        """Whether the law needs the tip to start inside the constraint."""
-        return False
+    def barrier_shape(self) -> Literal["log", "tan", "none"]:
+        """The barrier that the law relies on, and for which the tip must start inside the constraint."""
+        return "none"
+
+    @property
+    def needs_bounds(self) -> tuple[str, ...]:
+        """Which of the stated bounds the law relies on: "f" for the load, "ports" for the ports."""
+        return ()
+
+    @property
+    def ports_named(self) -> tuple[str, ...]:
+        """The ports that its parameters name."""
+        return ()
 
     def compensation(self, port: Port) -> tuple[Stage, ...]:
         """Stages between the law's value and the actuator's input: the controller's own idea of the actuator."""
@@ -79,3 +129,25 @@ class Controller(Component):
     def learn(self, memory: Memory, trial: Trial, setting: Setting) -> Memory:
         """The memories after a trial."""
         return memory
+
+
+class SampledFeedback(Controller):
+    """A law that acts through samples alone, all ports together: one `step` function, in plain Python over scalars.
+
+    `step(sample, state, parameters, command)` reads the sample (see `dampen.simulation.digital.Sample`: arrays by port of
+    error, rate, reference, feedforward, ...), keeps what it wants in `state`, and writes `command`, one number for each port.
+    The library compiles that very function.
+    """
+
+    step: ClassVar[SampledStep]
+
+    @abstractmethod
+    def row(self, setting: Setting) -> Array:
+        """The parameters that `step` reads, in its order."""
+
+    def states(self, setting: Setting) -> int:
+        """How many numbers `step` keeps from sample to sample."""
+        return 0
+
+    def law(self, memory: Memory, setting: Setting) -> PortLaw:
+        return PortLaw(np.zeros((setting.steps, len(setting.ports))))

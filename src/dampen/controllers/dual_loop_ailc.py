@@ -2,123 +2,37 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
-from typing import Annotated, ClassVar
+from dataclasses import dataclass
+from typing import ClassVar
 
 import numpy as np
-from annotated_types import Ge, Gt, Le, Unit
-from typing_extensions import Doc
 
-from dampen.component import ArgumentError, Component
-from dampen.controllers.base import Array, Controller, Memory, PortLaw, Setting, Trial
-from dampen.port import Port
-from dampen.stage import Stage, Step
+from dampen.controllers.base import Memory, Setting, Trial
+from dampen.controllers.inner_loop import InnerLoop
 
 
 @dataclass(frozen=True)
-class AssumedBacklash(Component):
-    """What the controller believes of the backlash in front of it; defaults are section V's true values."""
-
-    slope: Annotated[float, Gt(0), Doc("slope m")] = 0.3
-    right: Annotated[float, Ge(0), Unit("N"), Doc("right end of the gap B_r (N m at a torque port)")] = 0.1
-    left: Annotated[float, Le(0), Unit("N"), Doc("left end of the gap B_l (N m at a torque port)")] = -0.2
-
-    def check(self) -> None:
-        if self.left >= self.right:
-            raise ArgumentError(f"Argument `left` must be < `right`, but is {self.left:g} where `right` is {self.right:g}.")
-
-    @property
-    def width(self) -> float:
-        """m (B_r - B_l): how far the law's value can be from the delivered force."""
-        return self.slope * (self.right - self.left)
-
-
-def flank_step(command: float, state: Array, parameters: Array, new_state: Array) -> float:
-    """eta = command / m + B_l."""
-    return command * parameters[0] + parameters[1]
-
-
-@dataclass(frozen=True)
-class FlankInverse(Stage):
-    """Aims the actuator's input at the left flank of the assumed backlash: eta = command / m + B_l.
-
-    With exact estimates the play then delivers command + d_b with d_b in [-m (B_r - B_l), 0], the paper's (4)-(5).
-    """
-
-    assumed: AssumedBacklash
-
-    step: ClassVar[Step] = staticmethod(flank_step)
-
-    def row(self, dt: float) -> tuple[float, ...]:
-        return 1 / self.assumed.slope, self.assumed.left
-
-    @property
-    def gain(self) -> float:
-        return 1 / self.assumed.slope
-
-
-@dataclass(frozen=True)
-class DualLoopAILC(Controller):
-    """Dual-loop adaptive iterative learning control with a log barrier.
+class DualLoopAILC(InnerLoop):
+    """Dual-loop adaptive iterative learning control with a barrier.
 
         force   u = xi - [d_hat + 2 alpha_1 f_bar L + alpha_2 d_bar] sgn(v) - alpha_3 y/(C^2 - y^2) ln(C^2/(C^2 - y^2))
                 xi = zeta(previous trial) - alpha_4 v          d_hat = d_hat(previous trial) + alpha_8 |v|
         torque  the same without the f_bar term, with alpha_5 for alpha_2 and alpha_6, 7, 9 for alpha_3, 4, 8
 
-    y and v are the port's displacement and rate, zeta is the dead-zone of xi of width m (B_r - B_l), all memories are zero
-    before trial 0, and sgn is set-valued at 0. Source: He et al. 2017, (15)-(18). Only alpha_9 = 0.1 is known of the paper's
-    gains: the defaults are ours. Where the term alpha_8 |v| multiplies sgn(v) it acts as damping, and is solved as such.
+    y and v are the port's displacement and rate (with a reference, the error and its rate), zeta is the dead-zone of xi of
+    width m (B_r - B_l), all memories are zero before trial 0, and sgn is set-valued at 0. Source: He et al. 2017, (15)-(18).
+    Only alpha_9 = 0.1 is known of the paper's gains: the defaults are ours. Where the term alpha_8 |v| multiplies sgn(v) it
+    acts as damping, and is solved as such.
     """
 
     kind: ClassVar[str] = "dual-loop-ailc"
-
-    alpha_1: Annotated[float, Gt(0), Doc("gain against the distributed load, on its bound f_bar L")] = 1.0
-    alpha_2: Annotated[float, Ge(1), Doc("gain on the bound of the force disturbance")] = 1.0
-    alpha_3: Annotated[float, Gt(0), Unit("N m"), Doc("barrier gain of the force channel")] = 0.1
-    alpha_4: Annotated[float, Gt(0), Unit("N s/m"), Doc("damping and learning gain of the force channel")] = 1.0
-    alpha_5: Annotated[float, Ge(1), Doc("gain on the bound of the torque disturbance")] = 1.0
-    alpha_6: Annotated[float, Gt(0), Unit("N m"), Doc("barrier gain of the torque channel")] = 0.1
-    alpha_7: Annotated[float, Gt(0), Unit("N m s"), Doc("damping and learning gain of the torque channel")] = 1.0
-    alpha_8: Annotated[float, Gt(0), Unit("N s/m"), Doc("observer gain of the force channel")] = 0.1
-    alpha_9: Annotated[float, Gt(0), Unit("N m s"), Doc("observer gain of the torque channel; the paper's own value")] = 0.1
-    compensate: Annotated[
-        bool, Doc("true: aim at the assumed backlash (the paper's analysis); false: the law drives the actuator")
-    ] = True
-    assumed_backlash: Annotated[AssumedBacklash, Doc("what the controller believes of the backlash")] = field(
-        default_factory=AssumedBacklash
-    )
-
-    @property
-    def uses_barrier(self) -> bool:
-        return True
-
-    def compensation(self, port: Port) -> tuple[Stage, ...]:
-        return (FlankInverse(self.assumed_backlash),) if self.compensate else ()
 
     def begin(self, setting: Setting) -> Memory:
         nothing = np.zeros((setting.steps, len(setting.ports)))
         return {"zeta": nothing, "d_hat": nothing}
 
-    def law(self, memory: Memory, setting: Setting) -> PortLaw:
-        return PortLaw(
-            feedforward=memory["zeta"],
-            coulomb=memory["d_hat"] + self._robust(setting),
-            damping=self._by_port(setting, self.alpha_4 + self.alpha_8, self.alpha_7 + self.alpha_9),
-            barrier=self._by_port(setting, self.alpha_3, self.alpha_6),
-        )
-
     def learn(self, memory: Memory, trial: Trial, setting: Setting) -> Memory:
-        xi = memory["zeta"] - self._by_port(setting, self.alpha_4, self.alpha_7) * trial.v
+        xi = memory["zeta"] - setting.by_kind(self.alpha_4, self.alpha_7) * trial.v
         zeta = np.where(xi <= 0, xi, np.maximum(xi - self.assumed_backlash.width, 0.0))
-        observed = self._by_port(setting, self.alpha_8, self.alpha_9) * np.abs(trial.v)
+        observed = setting.by_kind(self.alpha_8, self.alpha_9) * np.abs(trial.v)
         return {"zeta": zeta, "d_hat": memory["d_hat"] + observed}
-
-    def _robust(self, setting: Setting) -> Array:
-        """The constant part of the switching gain, (ports,)."""
-        d_bar = np.array([setting.bounds[port.name] for port in setting.ports])
-        f_bar = setting.bounds["f"] * setting.length
-        return self._by_port(setting, 2 * self.alpha_1 * f_bar, 0.0) + self._by_port(setting, self.alpha_2, self.alpha_5) * d_bar
-
-    @staticmethod
-    def _by_port(setting: Setting, force: float, torque: float) -> Array:
-        return np.array([force if port.kind == "force" else torque for port in setting.ports])

@@ -17,5 +17,4 @@ class NoControl(Controller):
     kind: ClassVar[str] = "none"
 
     def law(self, memory: Memory, setting: Setting) -> PortLaw:
-        nothing, none = np.zeros((setting.steps, len(setting.ports))), np.zeros(len(setting.ports))
-        return PortLaw(nothing, nothing, none, none)
+        return PortLaw(np.zeros((setting.steps, len(setting.ports))))

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
+import numpy as np
+
 from dampen.analysis.energy import EnergyAccount, energy_account
 from dampen.component import Component, parameters
 from dampen.report.joined import uncontrolled
@@ -42,11 +44,19 @@ def facts(result: Result) -> list[tuple[str, str]]:
     rows.append(("Actuators", "; ".join(f"{port}: {chain or 'ideal'}" for port, chain in chains.items()) or "ideal"))
     rows.append(("Disturbance", described(scenario.disturbance)))
     units = {port.name: port.motion_unit for port in scenario.plant.ports}
-    limits = [f"|{port}| < {plain_number(limit)} {units[port]}" for port, limit in task.constraint.items()]
+    low, high = (limit[0] for limit in scenario.limits())
+    limits = [_limit(port, low[p], high[p], units[port]) for p, port in enumerate(units) if np.isfinite(high[p])]
     rows.append(("Constraint", ", ".join(limits) or "none"))
     rows.append(("Trials", f"{task.trials} of {plain_number(task.trial_duration)} s, {task.start}"))
     rows.append(("Numerics", f"{numerics.discretisation}, {numerics.modes} modes, step {plain_number(1000 * numerics.step)} ms"))
     return [*rows, ("Version", f"dampen {result.version}")]
+
+
+def _limit(port: str, low: float, high: float, unit: str) -> str:
+    """A constraint as it stands at the start of a trial."""
+    if low == -high:
+        return f"|{port}| < {plain_number(high)} {unit}"
+    return f"{plain_number(low)} < {port} < {plain_number(high)} {unit}"
 
 
 def described(component: Component) -> str:

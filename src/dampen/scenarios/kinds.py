@@ -9,24 +9,47 @@ from pathlib import Path
 from dampen.actuators.backlash import Backlash
 from dampen.actuators.ideal import Ideal
 from dampen.component import ArgumentError, Component, suggestion
+from dampen.controllers.adaptive_boundary import AdaptiveBoundary
 from dampen.controllers.base import Controller
+from dampen.controllers.boundary_damping import BoundaryDamping
 from dampen.controllers.dual_loop_ailc import DualLoopAILC
+from dampen.controllers.lqg import LQG
 from dampen.controllers.none import NoControl
+from dampen.controllers.norm_optimal_ilc import NormOptimalILC
+from dampen.controllers.open_loop import OpenLoop
+from dampen.controllers.p_type_ilc import PDTypeILC, PTypeILC
 from dampen.disturbances.base import Disturbance
 from dampen.disturbances.harmonic_families import HarmonicFamilies
 from dampen.disturbances.none import NoDisturbance
 from dampen.own import own_object
 from dampen.plants.base import Plant
 from dampen.plants.timoshenko import TimoshenkoBeam
+from dampen.signals.base import Signal
 from dampen.stage import Stage
 
 KINDS: dict[str, tuple[type[Component], ...]] = {
     "plant": (TimoshenkoBeam,),
     "actuator": (Ideal, Backlash),
     "disturbance": (NoDisturbance, HarmonicFamilies),
-    "controller": (NoControl, DualLoopAILC),
+    "controller": (
+        NoControl,
+        OpenLoop,
+        BoundaryDamping,
+        AdaptiveBoundary,
+        DualLoopAILC,
+        PTypeILC,
+        PDTypeILC,
+        NormOptimalILC,
+        LQG,
+    ),
 }
-FAMILIES: dict[str, type[Component]] = {"plant": Plant, "actuator": Stage, "disturbance": Disturbance, "controller": Controller}
+FAMILIES: dict[str, type[Component]] = {
+    "plant": Plant,
+    "actuator": Stage,
+    "disturbance": Disturbance,
+    "controller": Controller,
+    "signal": Signal,
+}
 
 
 def find_kind(table: str, kind: object, where: str, folder: Path) -> type[Component]:
@@ -52,6 +75,6 @@ def own_class(table: str, kind: str, where: str, folder: Path) -> type[Component
     if not dataclasses.is_dataclass(cls) or "__dataclass_params__" not in cls.__dict__:
         raise ArgumentError(f"Argument `{where}.kind` must name a frozen dataclass, but {kind!r} lacks @dataclass(frozen=True).")
     if inspect.isabstract(cls):
-        missing = ", ".join(sorted(cls.__abstractmethods__))
+        missing = ", ".join(sorted(cls.__abstractmethods__))  # type: ignore[attr-defined]
         raise ArgumentError(f"Argument `{where}.kind` must name a complete class, but {kind!r} does not define {missing}.")
     return cls

@@ -14,12 +14,14 @@ from dampen.component import ArgumentError, Component, InFile, shown, split_hint
 from dampen.controllers.none import NoControl
 from dampen.disturbances.none import NoDisturbance
 from dampen.scenarios.kinds import FAMILIES, KINDS, find_kind
-from dampen.simulation.scenario import Numerics, Output, Scenario, Task
+from dampen.simulation.sampling import Sampling
+from dampen.simulation.scenario import Numerics, Output, Scenario
+from dampen.simulation.task import Task
 from dampen.stage import Stage
 
 Table = dict[str, Any]
-TABLES = {"task": Task, "numerics": Numerics, "output": Output}
-TOP = ("name", "title", "claims", "plant", "disturbance", "actuator", "controller", "bounds", *TABLES)
+TABLES = {"task": Task, "sampling": Sampling, "numerics": Numerics, "output": Output}
+TOP = ("name", "title", "claims", "plant", "disturbance", "actuator", "compensation", "controller", "bounds", *TABLES)
 BARE_WORD = re.compile(r"[A-Za-z][\w:.-]*")
 
 
@@ -143,7 +145,8 @@ class Builder:
         for name, cls in TABLES.items():
             parts[name] = attempt(self.component, cls, table.get(name, {}), name)
         parts["bounds"] = attempt(_mapping, table.get("bounds", {}), "bounds")
-        parts["actuators"] = attempt(self.chains, table.get("actuator", {}), "actuator", parts["plant"])
+        for name, key in (("actuators", "actuator"), ("compensation", "compensation")):
+            parts[name] = attempt(self.chains, table.get(key, {}), key, parts["plant"])
         if faults:
             raise ArgumentError(faults)
         return Scenario(**parts)

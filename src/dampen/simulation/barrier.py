@@ -1,76 +1,42 @@
-"""The log barrier V(y) = 1/4 ln^2(C^2 / (C^2 - y^2)) and its discrete gradient, as scalar functions for the kernel.
+"""Barriers: potentials that rise without bound towards the constraint, and their discrete gradients, as scalar functions.
 
-The discrete gradient (V(y_new) - V(y)) / (y_new - y) makes the barrier's work over a step exactly its change of energy
-(Gonzalez, J. Nonlinear Sci. 6, 1996). Beyond `EDGE * C` the barrier goes on in a straight line: the law stays defined, and
-monotone, where an actuator or the arithmetic cannot hold the constraint.
+A barrier acts on the tracking error y, between low < 0 < high; on either side it has the shape of a symmetric one with the
+limit C = high or C = -low. The discrete gradient (V(y_new) - V(y)) / (y_new - y) makes the barrier's work over a step exactly
+its change of energy (Gonzalez, J. Nonlinear Sci. 6, 1996). Beyond `EDGE * C` it goes on in a straight line: the law stays
+defined, and monotone, where an actuator or the arithmetic cannot hold the constraint.
+
+`gradient`, `carried`, `fresh` and `potential` are those of one shape, the log barrier here; `compose` swaps in another's.
+`memo` is what a shape keeps of y from step to step, so as not to compute it twice.
 """
 
 from __future__ import annotations
 
-import math
-
-EDGE = 1 - 1e-12
-SMALL = 1e-6
+from dampen.simulation.log_barrier import EDGE, carried, fresh, gradient, potential
 
 
-def log_ratio(y, limit):
-    """ln(C^2 / (C^2 - y^2)) for |y| < C, with small relative error at both ends of the range."""
-    return math.log1p(y * y / ((limit - y) * (limit + y)))
+def barrier_gradient(y, y_new, memo, low, high):
+    """The discrete gradient from y to y_new."""
+    limit = high if y + y_new >= 0.0 else -low
+    if y * y_new < 0.0 and low != -high:
+        return (potential(y_new, side(y_new, low, high)) - potential(y, side(y, low, high))) / (y_new - y)
+    return gradient(y, y_new, memo, limit)
 
 
-def log_ratio_at(y_new, y, log_y, limit):
-    """log_ratio(y_new, limit) from its value at y; beyond the edge it is not used, and left alone."""
-    edge = EDGE * limit
-    if abs(y_new) > edge:
-        return log_y
-    if abs(y) > edge:
-        return log_ratio(y_new, limit)
-    z = (y_new - y) * mean_slope(y, y_new, limit)
-    square = z * z
-    if square < SMALL:
-        return log_y + 2 * z * atanh_ratio(square)
-    return log_ratio(y_new, limit)
+def barrier_memo(y_new, y, memo, low, high):
+    """The memo of y_new, carried on from that of y."""
+    if y * y_new < 0.0 and low != -high:
+        return fresh_memo(y_new, low, high)
+    return carried(y_new, y, memo, side(y_new, low, high))
 
 
-def mean_slope(y, y_new, limit):
-    """s = (y + y_new) / (2 C^2 - y^2 - y_new^2), with which half the difference of the two logarithms is atanh((y_new - y) s)."""
-    return (y + y_new) / ((limit - y) * (limit + y) + (limit - y_new) * (limit + y_new))
+def fresh_memo(y, low, high):
+    """The memo of y; anything beyond the edge, where it is not used."""
+    limit = side(y, low, high)
+    if abs(y) < EDGE * limit:
+        return fresh(y, limit)
+    return 0.0
 
 
-def atanh_ratio(square):
-    """atanh(z) / z for z^2 = square < SMALL, to round-off."""
-    return 1 + square * (1 / 3 + square * (1 / 5))
-
-
-def barrier_gradient(y, y_new, log_y, limit):
-    """(V(y_new) - V(y)) / (y_new - y), without 0/0; `log_y` is log_ratio(y, limit), or anything once y is beyond the edge.
-
-    With s the mean slope and z = (y_new - y) s it is (log_y + atanh z) (atanh z / z) s.
-    """
-    edge = EDGE * limit
-    if abs(y) > edge or abs(y_new) > edge:
-        return gradient_beyond(y, y_new, limit, edge)
-    s = mean_slope(y, y_new, limit)
-    z = (y_new - y) * s
-    square = z * z
-    if square < SMALL:
-        ratio = atanh_ratio(square)
-    else:
-        ratio = (log_ratio(y_new, limit) - log_y) / (2 * z)
-    return (log_y + z * ratio) * ratio * s
-
-
-def gradient_beyond(y, y_new, limit, edge):
-    """The same with y or y_new beyond the edge, where V goes on with the slope it has there."""
-    log_edge = log_ratio(edge, limit)
-    steep = edge / ((limit - edge) * (limit + edge)) * log_edge
-    if y == y_new:
-        return math.copysign(steep, y)
-    log_old, log_new = log_edge, log_edge
-    if abs(y) < edge:
-        log_old = log_ratio(y, limit)
-    if abs(y_new) < edge:
-        log_new = log_ratio(y_new, limit)
-    rise = 0.25 * (log_new - log_old) * (log_new + log_old)
-    rise += steep * (max(abs(y_new) - edge, 0.0) - max(abs(y) - edge, 0.0))
-    return rise / (y_new - y)
+def side(y, low, high):
+    """The limit C on the side on which y is."""
+    return high if y >= 0.0 else -low

@@ -2,16 +2,17 @@
 
 Over a step of length dt a port moves with the mean velocity v = v_free + g B, where B is the delivered force, and
 
-    B = A(u),    u in feedforward - damping v_law - coulomb Sgn(v_law) - barrier V'(y, y_new),    v_law = v + soft (B - B_slow)
+    B = A(u),    u in feedforward - damping v_law - coulomb Sgn(v_law) - U'(y, y_new),    v_law = v + soft (B - B_slow)
 
-A is the chain of stages between law and force. v_law is the velocity that the law sees. It differs from v by a small
-compliance at the port, soft = SOFTNESS g, that gives way to what is fast in B and holds what is slow (B_slow follows B at the
-rate RELAXATION a step). Without it a stuck port's held force would have to flip the end velocity in every step; with it a
-point mass comes to rest within a few steps. It is passive: over a step it stores soft dt B_slow^2 / (2 RELAXATION) and
-dissipates soft dt (1 - RELAXATION/2) (B - B_slow)^2, and both go into the energy account.
+U = stiffness y^2 / 2 + barrier V(y) is the potential of the law, y the tracking error and v its rate. A is the chain of stages
+between law and force. v_law is the velocity that the law sees. It differs from v by a small compliance at the port,
+soft = SOFTNESS g, that gives way to what is fast in B and holds what is slow (B_slow follows B at the rate RELAXATION a step).
+Without it a stuck port's held force would have to flip the end velocity in every step; with it a point mass comes to rest
+within a few steps. It is passive: over a step it stores soft dt B_slow^2 / (2 RELAXATION) and dissipates
+soft dt (1 - RELAXATION/2) (B - B_slow)^2, and both go into the energy account.
 
-With non-negative damping, coulomb and barrier and a non-decreasing A, the commands that the law allows fall as B rises: there
-is exactly one solution, sticking (v_law = 0, a command inside the jump of Sgn) included.
+With non-negative damping, coulomb, stiffness and barrier and a non-decreasing A, the commands that the law allows fall as B
+rises: there is exactly one solution, sticking (v_law = 0, a command inside the jump of Sgn) included.
 """
 
 from __future__ import annotations
@@ -53,7 +54,7 @@ def port_force(port, stages, v_free, g, dt):
         return
     give = 1 / h
     hold = -w * give
-    port.middle = port.feedforward - barrier_force(port, v_free + g * hold, dt)
+    port.middle = port.feedforward - potential_force(port, v_free + g * hold, dt)
     if port.v_law == 0.0 and still_sticks(port, stages, hold, give):
         return
     middle = through(port, port.middle, stages)
@@ -135,14 +136,15 @@ def still_slips(port, stages, v_free, g, w, h, dt):
 
 def slip_command(port, sign, v_law, v, dt):
     """The law of a port that slips in the direction `sign`."""
-    return port.feedforward - port.damping * v_law - sign * port.coulomb - barrier_force(port, v, dt)
+    return port.feedforward - port.damping * v_law - sign * port.coulomb - potential_force(port, v, dt)
 
 
-def barrier_force(port, v, dt):
-    """The law's barrier term, its discrete gradient, if the port moves with mean velocity v."""
+def potential_force(port, v, dt):
+    """The law's potential terms, their discrete gradients, if the port moves with mean velocity v."""
+    force = port.stiffness * (port.y + 0.5 * dt * v)
     if port.barrier == 0.0:
-        return 0.0
-    return port.barrier * barrier_gradient(port.y, port.y + dt * v, port.log_y, port.limit)
+        return force
+    return force + port.barrier * barrier_gradient(port.y, port.y + dt * v, port.memo, port.low, port.high)
 
 
 def command_for(port, target, near, near_output, far, far_output, stages):

@@ -10,9 +10,10 @@ from typing import NamedTuple
 
 import numpy as np
 
-from dampen.simulation.barrier import EDGE, log_ratio, log_ratio_at
+from dampen.simulation.barrier import barrier_memo, fresh_memo
 from dampen.simulation.closure import RELAXATION
 from dampen.simulation.compiled import reassociated
+from dampen.simulation.digital import measure, sample
 from dampen.simulation.ports import PORTS, close_ports, velocity
 
 Array = np.ndarray
@@ -20,6 +21,8 @@ Array = np.ndarray
 STAGE_PARAMETERS = 32
 STAGE_STATES = 16
 MODES_AT_MOST = 1000
+DAMPED = False  # bound before use: whether any mode is damped
+SAMPLED = False  # and whether a law may act through samples
 _ROW = (float, MODES_AT_MOST + 32)
 
 PORT = np.dtype(
@@ -29,9 +32,10 @@ PORT = np.dtype(
         # the port's numerical compliance
         ("soft", float),
         # the law: constant in a trial, then held over the step
-        ("damping", float), ("barrier", float), ("limit", float), ("feedforward", float), ("coulomb", float),
-        # the port as the step begins
-        ("y", float), ("log_y", float), ("v_free", float), ("slow", float),
+        ("damping", float), ("stiffness", float), ("barrier", float), ("feedforward", float), ("coulomb", float),
+        ("low", float), ("high", float),
+        # the port as the step begins: its tracking error y, low < y < high
+        ("y", float), ("memo", float), ("v_free", float), ("slow", float),
         # what the closure finds, and its working values
         ("force", float), ("command", float), ("v_law", float), ("slope", float), ("middle", float), ("held", float),
         ("guess", float), ("v_others", float),
@@ -51,8 +55,10 @@ STAGE = np.dtype(
 # All modes in one record of fixed size: the compiler then knows that its rows do not overlap, and the loop over modes runs in
 # vector instructions without a check. Rows are an odd number of cache lines long, so that they do not compete for one place
 # in the cache. q+ = c11 q + c12 q' + psi a and q'+ = c21 q + c22 q' + c12 a is the exact solution over one step of length dt
-# under a held modal force a; `b0` and `b1` are the port vectors of the first two ports, zero where there is no such port.
-_ROWS = ("q", "rate", "c11", "c12", "c21", "c22", "psi", "omega2", "b0", "b1", "a")
+# under a held modal force a; `b0` and `b1` are the port vectors of the first two ports, zero where there is no such port. The
+# losses make the energy that damping takes in a step, a quadratic form in q, q' and a.
+_LOSSES = ("loss_qq", "loss_qr", "loss_rr", "loss_qa", "loss_ra", "loss_aa")
+_ROWS = ("q", "rate", "c11", "c12", "c21", "c22", "psi", "omega2", "b0", "b1", "a", *_LOSSES)
 MODAL = np.dtype([*((row, *_ROW) for row in _ROWS), ("count", int)])
 
 
@@ -73,19 +79,23 @@ class Step(NamedTuple):
 
 class Inputs(NamedTuple):
     """What one trial is given, held over each step: feedforward, coulomb and disturbance at the ports (steps, ports), the
-    modal load (steps, modes), and the mean velocity that disturbance and load give the ports in a step (steps, ports)."""
+    modal load (steps, modes), the velocity that disturbance and load give the ports in a step, less that of the reference
+    (steps, ports), and the limits of the tracking error (steps, ports). `origin` (ports,) is the reference at time 0."""
 
     feedforward: Array
     coulomb: Array
     disturbance: Array
     load: Array
     drift: Array
+    low: Array
+    high: Array
+    origin: Array
 
 
 class Record(NamedTuple):
-    """What a trial leaves: y, slow (steps + 1, ports) and energy (steps + 1,) on times; v, command, delivered (steps, ports)
-    and work_load (steps,) on steps; q at every `every`-th time, (times, modes); the number of steps whose closure did not
-    settle, (1,)."""
+    """What a trial leaves. On times, (steps + 1, ...): the tracking error y, slow (ports) and energy; on steps: v, command,
+    delivered (ports), work_load and dissipated; q at every `every`-th time, (times, modes); the number of steps whose closure
+    did not settle, (1,)."""
 
     y: Array
     slow: Array
@@ -94,11 +104,12 @@ class Record(NamedTuple):
     command: Array
     delivered: Array
     work_load: Array
+    dissipated: Array
     q: Array
     unsettled: Array
 
 
-def run_trial(modal, step, inputs, ports, stages, every, record):
+def run_trial(modal, step, inputs, sampler, ports, stages, every, record):
     """Run one trial in place; `modal`, `ports` and `stages`, arrays of records, carry the state from trial to trial.
 
     Returns the number of steps done: fewer than there are where the motion stops being finite.
@@ -106,13 +117,17 @@ def run_trial(modal, step, inputs, ports, stages, every, record):
     m, dt = modal[0], step.dt
     record.unsettled[0] = 0.0
     steps = len(inputs.disturbance)
-    start(m, step, ports, record)
+    start(m, step, inputs, ports, record)
     snapshot, wait = 0, every
     for k in range(steps):
+        if SAMPLED and sampler.period > 0:
+            sample(k, ports, sampler)
+        else:
+            act(k, inputs, ports)
         free_motion(k, m, step, inputs, ports)
         if not close_ports(ports, stages, step.g, step.coupling, dt):
             record.unsettled[0] += 1
-        record.work_load[k], record.energy[k + 1] = apply(k, m, step, inputs, ports)
+        record.work_load[k], record.energy[k + 1], record.dissipated[k] = apply(k, m, step, inputs, ports)
         for p in range(PORTS):
             end_step(k, p, ports, stages, step, record)
         wait -= 1
@@ -122,10 +137,12 @@ def run_trial(modal, step, inputs, ports, stages, every, record):
                 record.q[snapshot, i] = m.q[i]
         if not record.energy[k + 1] < np.inf:
             return k
+    if SAMPLED and sampler.period > 0:
+        measure(len(sampler.error) - 1, ports, sampler)
     return steps
 
 
-def start(m, step, ports, record):
+def start(m, step, inputs, ports, record):
     """Where a trial begins: ports, energy and first snapshot."""
     total = 0.0
     for i in range(m.count):
@@ -137,21 +154,31 @@ def start(m, step, ports, record):
         port.y = 0.0
         for i in range(m.count):
             port.y += step.b[p, i] * m.q[i]
-        if abs(port.y) < EDGE * port.limit:
-            port.log_y = log_ratio(port.y, port.limit)
+        port.y -= inputs.origin[p]
+        port.low, port.high = inputs.low[0, p], inputs.high[0, p]
+        port.memo = fresh_memo(port.y, port.low, port.high)
         record.y[0, p], record.slow[0, p] = port.y, port.slow
 
 
+def act(k, inputs, ports):
+    """What a continuous law has for the step."""
+    for p in range(PORTS):
+        ports[p].feedforward = inputs.feedforward[k, p]
+        ports[p].coulomb = inputs.coulomb[k, p]
+
+
 def free_motion(k, m, step, inputs, ports):
-    """How fast the ports go under all that is known as the step begins, and what the law has for it; ports two by two."""
+    """How fast the ports go under all that is known as the step begins, and how far they may; ports two by two."""
     for p in range(0, PORTS, 2):
         v, v_next = two_velocities(m, step.v_q[p], step.v_rate[p], step.v_q[p + 1], step.v_rate[p + 1])
         ports[p].v_free = v + inputs.drift[k, p]
         if p + 1 < PORTS:
             ports[p + 1].v_free = v_next + inputs.drift[k, p + 1]
     for p in range(PORTS):
-        ports[p].feedforward = inputs.feedforward[k, p]
-        ports[p].coulomb = inputs.coulomb[k, p]
+        port = ports[p]
+        if inputs.low[k, p] != port.low or inputs.high[k, p] != port.high:
+            port.low, port.high = inputs.low[k, p], inputs.high[k, p]
+            port.memo = fresh_memo(port.y, port.low, port.high)
 
 
 @reassociated
@@ -165,7 +192,7 @@ def two_velocities(m, q_row, rate_row, next_q_row, next_rate_row):
 
 
 def apply(k, m, step, inputs, ports):
-    """Move all modes under the load and the port forces. Returns the work of the load and the energy reached."""
+    """Move all modes under the load and the port forces. Returns the work of the load, the energy reached and what was lost."""
     first = ports[0].force + inputs.disturbance[k, 0]
     second = ports[1].force + inputs.disturbance[k, 1] if PORTS > 1 else 0.0
     load, modes = inputs.load[k], m.count
@@ -181,7 +208,7 @@ def apply(k, m, step, inputs, ports):
 @reassociated
 def move(m, load, first, second):
     """The loop over modes: `a` holds all modal forces but those of the first two ports."""
-    work, energy = 0.0, 0.0
+    work, energy, lost = 0.0, 0.0, 0.0
     n = m.count
     for i in range(n):
         a = m.a[i] + first * m.b0[i] + second * m.b1[i]
@@ -189,10 +216,13 @@ def move(m, load, first, second):
         q_new = m.c11[i] * q + m.c12[i] * rate + m.psi[i] * a
         rate_new = m.c21[i] * q + m.c22[i] * rate + m.c12[i] * a
         work += load[i] * (q_new - q)
+        if DAMPED:
+            lost += (m.loss_qq[i] * q + m.loss_qr[i] * rate + m.loss_qa[i] * a) * q
+            lost += (m.loss_rr[i] * rate + m.loss_ra[i] * a) * rate + m.loss_aa[i] * a * a
         energy += m.omega2[i] * q_new * q_new + rate_new * rate_new
         m.q[i] = q_new
         m.rate[i] = rate_new
-    return work, 0.5 * energy
+    return work, 0.5 * energy, lost
 
 
 def end_step(k, p, ports, stages, step, record):
@@ -200,7 +230,7 @@ def end_step(k, p, ports, stages, step, record):
     port = ports[p]
     y_new = port.y + step.dt * velocity(p, ports, step.g)
     if port.barrier > 0.0:
-        port.log_y = log_ratio_at(y_new, port.y, port.log_y, port.limit)
+        port.memo = barrier_memo(y_new, port.y, port.memo, port.low, port.high)
     port.y = y_new
     port.slow += RELAXATION * (port.force - port.slow)
     record.y[k + 1, p], record.slow[k + 1, p] = port.y, port.slow

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from dampen.controllers.base import Setting
 from dampen.simulation.scenario import Scenario
 from dampen.toml import to_toml
 
@@ -31,7 +32,7 @@ class Variable:
 SIGNALS = {
     "y": Variable(("time", "port"), "", "displacement (angle) at the port"),
     "energy": Variable(("time",), "J", "kinetic and potential energy of the structure, payload included"),
-    "barrier_energy": Variable(("time",), "J", "energy of the barrier, as the actuator's slope delivers it"),
+    "barrier_energy": Variable(("time",), "J", "energy of the law's barrier and stiffness, as the actuator's slope delivers it"),
     "compliance_energy": Variable(("time",), "J", "energy stored in the ports' numerical compliance"),
     "v": Variable(("step", "port"), "", "rate that the law sees: exactly 0 while the port sticks"),
     "command": Variable(("step", "port"), "", "the law's value"),
@@ -41,8 +42,15 @@ SIGNALS = {
     "work_actuator": Variable(("step", "port"), "J", "part of it that is not the actuator's slope times the command"),
     "work_disturbance": Variable(("step", "port"), "J", "work of the port's disturbance over the step"),
     "work_load": Variable(("step",), "J", "work of the distributed load over the step"),
+    "dissipated": Variable(("step",), "J", "energy that the structure's damping takes over the step"),
     "compliance_loss": Variable(("step",), "J", "energy dissipated by the ports' numerical compliance over the step"),
 }
+SAMPLES = {
+    "reading": Variable(("sample", "port"), "", "displacement (angle) as the controller read it"),
+    "rate_estimate": Variable(("sample", "port"), "", "rate of the tracking error as the controller estimated it"),
+    "issued": Variable(("sample", "port"), "", "command as it was computed, to be held from the end of the delay on"),
+}
+REFERENCE = Variable(("time", "port"), "", "what the port is to follow")
 STATUS = Variable((), "", "0: finished, 1: broke off", "i1")
 
 
@@ -56,13 +64,14 @@ class Layout:
     coordinates: Mapping[str, tuple[tuple[str, ...], Array, str]]
 
     @staticmethod
-    def of(scenario: Scenario, x: Array) -> Layout:
+    def of(scenario: Scenario, x: Array, setting: Setting) -> Layout:
         plant, steps, dt = scenario.plant, scenario.steps, scenario.numerics.step
         fields = {name: Variable(("time_out", "x"), unit, f"field {name}(x, t)", "f4") for name, unit in plant.fields}
+        on = "sample" if scenario.sampled else "step"
         learned = {
-            name: Variable(("step", "port"), "", f"learned {name} after the trial")
-            for name in scenario.controller.begin(scenario.setting)
+            name: Variable((on, "port"), "", f"learned {name} after the trial") for name in scenario.controller.begin(setting)
         }
+        extra = {**(SAMPLES if scenario.sampled else {}), **({"reference": REFERENCE} if scenario.task.reference else {})}
         peak = Variable(("field",), "", "largest |field| of the trial, over snapshots everywhere and over ports at every step")
         time = np.arange(steps + 1) * dt
         coordinates: dict[str, tuple[tuple[str, ...], Array, str]] = {
@@ -75,8 +84,10 @@ class Layout:
             "effort_unit": (("port",), np.array([p.effort_unit for p in plant.ports]), ""),
             "field": (("field",), np.array([name for name, _ in plant.fields]), ""),
         }
+        if scenario.sampled:
+            coordinates["sample"] = (("sample",), np.arange(setting.steps) * setting.dt, "s")
         sizes = {dims[0]: len(values) for dims, values, _ in coordinates.values()}
-        return Layout(scenario, sizes, {**SIGNALS, **learned, **fields, "peak": peak, "status": STATUS}, coordinates)
+        return Layout(scenario, sizes, {**SIGNALS, **extra, **learned, **fields, "peak": peak, "status": STATUS}, coordinates)
 
     def shape(self, variable: Variable) -> tuple[int, ...]:
         return tuple(self.sizes[dim] for dim in variable.dims)
@@ -86,7 +97,8 @@ class Layout:
 class Result:
     """What a run left. `result["y"][3]` is the port motion of trial 3; `result.dataset` is everything as an xarray Dataset.
 
-    trials: number of finished trials.   status: "complete", "interrupted" or "diverged".
+    trials: number of finished trials.
+    status: "complete", "interrupted" or "diverged".
     warnings: thin resolution, a lost constraint, forces that did not settle; one line each.
     """
 
@@ -102,6 +114,11 @@ class Result:
     def __getitem__(self, name: str) -> Any:
         """All trials of a variable, (trial, ...); from a file, read when indexed."""
         return self.arrays[name]
+
+    @property
+    def broke_off(self) -> bool:
+        """Whether the run ended before its last trial did."""
+        return self.status not in ("complete", "constraint_lost")
 
     @property
     def time(self) -> Array:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Mapping
+from collections.abc import Iterable
 from dataclasses import dataclass, field, replace
 from typing import Annotated, Literal
 
@@ -12,28 +12,18 @@ from annotated_types import Ge, Gt, Le, Unit
 from typing_extensions import Doc
 
 from dampen.component import ArgumentError, Component, wrong
-from dampen.controllers.base import Controller, Setting
+from dampen.controllers.base import Controller, SampledFeedback
+from dampen.controllers.none import NoControl
 from dampen.disturbances.base import Disturbance
 from dampen.plants.base import Plant
 from dampen.simulation.kernel import MODES_AT_MOST
+from dampen.simulation.sampling import Sampling
+from dampen.simulation.task import Task
 from dampen.stage import Stage
 
-Positive = Annotated[float, Gt(0)]
 NonNegative = Annotated[float, Ge(0)]
 LARGEST_TRIAL = 4.0
 NAME = re.compile(r"\w[\w.-]{0,59}")
-
-
-@dataclass(frozen=True)
-class Task(Component):
-    """What is to be done: how many trials of what length, and within which constraint."""
-
-    trials: Annotated[int, Ge(1), Le(100_000), Doc("number of trials")] = 25
-    trial_duration: Annotated[float, Gt(0), Unit("s"), Doc("duration T_b of a trial")] = 2.0
-    start: Annotated[Literal["chained"], Doc("a trial starts in the state in which the last one ended")] = "chained"
-    constraint: Annotated[dict[str, Positive], Doc("for each port the displacement or angle C to stay below [m, rad]")] = field(
-        default_factory=dict
-    )
 
 
 @dataclass(frozen=True)
@@ -44,7 +34,9 @@ class Numerics(Component):
     modes: Annotated[int, Ge(1), Le(MODES_AT_MOST), Doc("number of modes kept")] = 80
     points: Annotated[int, Ge(3), Le(1001), Doc("grid points of the finite-difference grid, clamp included")] = 51
     step: Annotated[float, Gt(0), Unit("s"), Doc("time step; must divide the trial's duration")] = 0.001
-    mode: Annotated[Literal["continuous"], Doc("the law acts continuously in time")] = "continuous"
+    mode: Annotated[
+        Literal["continuous", "sampled"], Doc("continuous: the law as published; sampled: through samples, as [sampling] says")
+    ] = "continuous"
 
 
 @dataclass(frozen=True)
@@ -57,9 +49,10 @@ class Output(Component):
 
 @dataclass(frozen=True)
 class Scenario(Component):
-    """One experiment: plant, actuators, disturbance, controller, task, stated bounds, numerics and output.
+    """One experiment: plant, actuators, disturbance, controller, task, stated bounds, sampling, numerics and output.
 
-    actuators: for each port its chain of stages; a port that is left out has an ideal actuator.
+    actuators:    for each port its chain of stages; a port that is left out has an ideal actuator.
+    compensation: for each port the controller's own chain in front of it, built on its own idea of the actuator.
     bounds:    what the controller is told of the disturbances: by port name [N, N m], and "f" for the load [N/m].
     claims:    name of a set of claims that the run is to be held against.
     """
@@ -68,9 +61,11 @@ class Scenario(Component):
     controller: Controller
     disturbance: Disturbance
     task: Task = field(default_factory=Task)
+    sampling: Sampling = field(default_factory=Sampling)
     numerics: Numerics = field(default_factory=Numerics)
     output: Output = field(default_factory=Output)
     actuators: dict[str, tuple[Stage, ...]] = field(default_factory=dict)
+    compensation: dict[str, tuple[Stage, ...]] = field(default_factory=dict)
     bounds: dict[str, NonNegative] = field(default_factory=dict)
     name: str = "unnamed"
     title: str = ""
@@ -79,38 +74,71 @@ class Scenario(Component):
     def check(self) -> None:
         if not NAME.fullmatch(self.name):
             raise wrong("name", "be 1 to 60 letters, digits, dots, dashes or underscores, since it names a folder", self.name)
-        names = [port.name for port in self.plant.ports]
-        for table, known in (("task.constraint", names), ("bounds", ["f", *names]), ("actuators", names)):
-            given: Mapping[str, object] = self.task.constraint if table == "task.constraint" else getattr(self, table)
-            for key in given:
+        self._check_ports()
+        self._check_grids()
+        self._check_law()
+
+    def _check_ports(self) -> None:
+        named: dict[str, Iterable[str]] = {
+            "task.constraint": self.task.constraint,
+            "task.reference": self.task.reference,
+            "task.reset_error": self.task.reset_error,
+            "actuators": self.actuators,
+            "compensation": self.compensation,
+            "controller": self.controller.ports_named,
+            **{f"sampling.{name}": table for name, table in self.sampling.by_port.items()},
+        }
+        for table, keys in (*named.items(), ("bounds", self.bounds)):
+            known = ["f", *self.ports] if table == "bounds" else list(self.ports)
+            for key in keys:
                 if key not in known:
                     raise ArgumentError(f"Argument `{table}.{key}` is not a port of this plant; known here: {', '.join(known)}.")
-        if self.numerics.discretisation == "finite-difference" and not self.plant.has_grid:
-            raise wrong("numerics.discretisation", 'be "spectral" for this plant', self.numerics.discretisation)
-        ratio = self.task.trial_duration / self.numerics.step
-        if not np.isfinite(ratio) or abs(ratio - round(ratio)) > 1e-9 * ratio or round(ratio) < 1:
-            raise wrong("numerics.step", f"divide task.trial_duration = {self.task.trial_duration:g} s", self.numerics.step)
-        size = self.steps * (self.numerics.modes + 60) * 8 / 2**30
+
+    def _check_grids(self) -> None:
+        numerics, duration = self.numerics, self.task.trial_duration
+        if numerics.discretisation == "finite-difference" and not self.plant.has_grid:
+            raise wrong("numerics.discretisation", 'be "spectral" for this plant', numerics.discretisation)
+        if not divides(numerics.step, duration):
+            raise wrong("numerics.step", f"divide task.trial_duration = {duration:g} s", numerics.step)
+        size = self.steps * (numerics.modes + 60) * 8 / 2**30
         if size > LARGEST_TRIAL:
-            raise wrong(
-                "numerics.step", f"be larger: a trial of {self.steps} steps would need {size:.3g} GiB", self.numerics.step
-            )
+            raise wrong("numerics.step", f"be larger: a trial of {self.steps} steps would need {size:.3g} GiB", numerics.step)
         if self.steps % self.output.every:
             raise wrong("output.every", f"divide the {self.steps} steps of a trial", self.output.every)
-        if self.controller.uses_barrier:
-            self._check_barrier(names)
+        if self.sampled:
+            period, delay = self.sampling.period, self.sampling.delay
+            if not divides(period, duration):
+                raise wrong("sampling.period", f"divide task.trial_duration = {duration:g} s", period)
+            if not divides(numerics.step, period):
+                raise wrong("sampling.period", f"be a multiple of numerics.step = {numerics.step:g} s", period)
+            if delay and not divides(numerics.step, delay):
+                raise wrong("sampling.delay", f"be a multiple of numerics.step = {numerics.step:g} s", delay)
 
-    def _check_barrier(self, names: list[str]) -> None:
-        start = self.plant.initial_ports()
-        for name, y in zip(names, start, strict=True):
-            limit = self.task.constraint.get(name)
-            if limit is None:
-                raise ArgumentError(f"Argument `task.constraint.{name}` must be given: the controller has a barrier there.")
-            if not abs(y) < limit:
-                raise wrong("plant.initial", f"put {name} inside its constraint, |y| < {limit:g}", y)
-        for key in ("f", *names):
+    def _check_law(self) -> None:
+        if isinstance(self.controller, SampledFeedback) and not self.sampled:
+            raise wrong(
+                "numerics.mode", f'be "sampled": {type(self.controller).__name__} acts through samples', self.numerics.mode
+            )
+        needs = self.controller.needs_bounds
+        for key in (*(["f"] if "f" in needs else ()), *(self.ports if "ports" in needs else ())):
             if key not in self.bounds:
                 raise ArgumentError(f"Argument `bounds.{key}` must be given: the controller relies on it.")
+        if self.controller.barrier_shape == "none":
+            return
+        for port in self.ports:
+            if port not in self.task.constraint:
+                raise ArgumentError(f"Argument `task.constraint.{port}` must be given: the controller has a barrier there.")
+        low, high = self.task.limits(self.ports, np.zeros(1), 0)
+        for p, (name, y) in enumerate(zip(self.ports, self.plant.initial_ports(), strict=True)):
+            if not low[0, p] < y < high[0, p]:
+                symmetric = low[0, p] == -high[0, p]
+                where = f"|y| < {high[0, p]:g}" if symmetric else f"{low[0, p]:g} < y < {high[0, p]:g}"
+                raise wrong("plant.initial", f"put {name} inside its constraint, {where}", y)
+
+    @property
+    def ports(self) -> tuple[str, ...]:
+        """Names of the ports."""
+        return tuple(port.name for port in self.plant.ports)
 
     @property
     def steps(self) -> int:
@@ -118,20 +146,49 @@ class Scenario(Component):
         return round(self.task.trial_duration / self.numerics.step)
 
     @property
-    def limits(self) -> np.ndarray:
-        """(ports,) constraint, inf where there is none."""
-        return np.array([self.task.constraint.get(port.name, np.inf) for port in self.plant.ports])
+    def times(self) -> np.ndarray:
+        """(steps + 1,) clock of a trial [s]."""
+        return np.arange(self.steps + 1) * self.numerics.step
 
     @property
-    def setting(self) -> Setting:
-        """What the controller is told."""
-        return Setting(self.plant.ports, self.steps, self.numerics.step, self.plant.span, self.limits, self.bounds)
+    def sampled(self) -> bool:
+        """Whether the law acts through samples."""
+        return self.numerics.mode == "sampled"
+
+    @property
+    def law_grid(self) -> tuple[int, float]:
+        """How many intervals a trial has for the law, and their length [s]."""
+        period = self.sampling.period if self.sampled else self.numerics.step
+        return round(self.task.trial_duration / period), period
+
+    def reference(self, trial: int = 0) -> np.ndarray:
+        """(steps + 1, ports) what the ports are to follow."""
+        return self.task.references(self.ports, self.times, trial)
+
+    def limits(self, trial: int = 0) -> tuple[np.ndarray, np.ndarray]:
+        """(steps + 1, ports) lower and upper limits of the displacements, infinite where there is none."""
+        return self.task.limits(self.ports, self.times, trial)
 
     def chain(self, index: int) -> tuple[Stage, ...]:
         """All stages between the law and the force at a port: the controller's compensation, then the actuator."""
         port = self.plant.ports[index]
-        return (*self.controller.compensation(port), *self.actuators.get(port.name, ()))
+        own = self.controller.compensation(port)
+        return (*own, *self.compensation.get(port.name, ()), *self.actuators.get(port.name, ()))
 
     def with_controller(self, controller: Controller) -> Scenario:
         """The same experiment under another controller."""
         return replace(self, controller=controller)
+
+    def uncontrolled(self) -> Scenario:
+        """The same experiment without control."""
+        return replace(self, controller=NoControl(), compensation={}, numerics=replace(self.numerics, mode="continuous"))
+
+    def continuous(self) -> Scenario:
+        """The same experiment with the law acting continuously."""
+        return replace(self, numerics=replace(self.numerics, mode="continuous"))
+
+
+def divides(part: float, whole: float) -> bool:
+    """Whether `whole` is a multiple of `part`, up to rounding."""
+    ratio = whole / part
+    return bool(np.isfinite(ratio)) and round(ratio) >= 1 and abs(ratio - round(ratio)) <= 1e-9 * ratio

@@ -123,10 +123,11 @@ def open_result(path: Path, scenario: Any) -> Result:
     """A result file, opened for reading; `scenario` is the one that the file carries."""
     import netCDF4
 
-    from dampen.simulation.setup import output_points
+    from dampen.simulation.bench import output_points
+    from dampen.simulation.setting import setting_of
 
     file = netCDF4.Dataset(path)
-    layout = Layout.of(scenario, output_points(scenario))
+    layout = Layout.of(scenario, output_points(scenario), setting_of(scenario))
     attributes = {name: file.getncattr(name) for name in file.ncattrs()}
     return Result(
         scenario, attributes["dampen_version"], attributes["status"], int(attributes["trials_finished"]), layout,

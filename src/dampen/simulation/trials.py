@@ -11,17 +11,22 @@ from typing import Any
 import numpy as np
 
 from dampen.component import ArgumentError
-from dampen.controllers.base import PortLaw, Trial
-from dampen.simulation.closure import RELAXATION
+from dampen.controllers.base import PortLaw, Setting, Trial
+from dampen.simulation.account import accounts
+from dampen.simulation.bench import Bench
+from dampen.simulation.digital import Sampler
+from dampen.simulation.digital_side import begin_again, idle, prepare, sampler_of
 from dampen.simulation.kernel import Record
+from dampen.simulation.records import empty_record, port_records
 from dampen.simulation.result import Layout, Result
 from dampen.simulation.scenario import Scenario
-from dampen.simulation.setup import Bench, port_records
+from dampen.simulation.setting import of_trial, setting_of
 from dampen.simulation.stores import MemoryStore, Store
 
 Array = np.ndarray
 Progress = Callable[[int, int], None]
 FINE, BROKEN = 0, 1
+LOST = "The constraint of"
 
 
 def simulate(
@@ -40,13 +45,14 @@ def simulate(
     compile:  False runs the kernel as the plain Python that it is, about a thousand times slower.
 
     An interrupt (KeyboardInterrupt) or a motion that stops being finite ends the run early: the result then has the trials
-    that were finished, and its `status` says "interrupted" or "diverged".
+    that were finished, and its `status` says "interrupted" or "diverged". A run in which a port leaves its constraint goes on;
+    its status is "constraint_lost", and a warning tells when.
     """
     bench = bench or Bench(scenario)
     bench.check_start(scenario)
     warnings = list(bench.warnings)
     store = store or MemoryStore()
-    store.open(Layout.of(scenario, bench.x), warnings)
+    store.open(Layout.of(scenario, bench.x, setting_of(scenario, bench=bench)), warnings)
     status, done = "complete", 0
     try:
         with interrupt_between_trials() as interrupted:
@@ -64,6 +70,8 @@ def simulate(
                     break
     except KeyboardInterrupt:
         status = "interrupted"
+    if status == "complete" and any(line.startswith(LOST) for line in warnings):
+        status = "constraint_lost"
     return store.close(status, done)
 
 
@@ -93,95 +101,112 @@ def trials(scenario: Scenario, bench: Bench, compile: bool = True) -> Iterator[d
     The arrays are used again for the next trial: copy what is to be kept.
     """
     kernel, classes = bench.kernel(scenario, compile)
-    ports, stages = port_records(scenario, bench.step, classes)
-    modal = bench.initial_state()
-    setting, controller, every = scenario.setting, scenario.controller, scenario.output.every
+    chains = [scenario.chain(p) for p in range(len(scenario.ports))]
+    setting, controller, every = setting_of(scenario, bench=bench), scenario.controller, scenario.output.every
+    sampler = sampler_of(scenario, setting) if scenario.sampled else idle(len(chains))
     memory = controller.begin(setting)
-    record = empty_record(scenario.steps, len(ports), bench.modes.count, every)
+    record = empty_record(scenario.steps, len(chains), bench.modes.count, every)
     for j in range(scenario.task.trials):
+        if j == 0 or scenario.task.start == "reset":
+            modal, (ports, stages) = bench.modal_record(j), port_records(chains, bench.step, classes)
+            begin_again(sampler)
+        setting = of_trial(setting, scenario, j)
         law = controller.law(memory, setting)
-        check_law(law)
-        ports.damping, ports.barrier = law.damping, law.barrier
-        inputs = bench.inputs(j, law)
-        done = kernel(modal, bench.step, inputs, ports, stages, every, record)
-        trial = Trial(j, record.y.copy(), record.v.copy(), record.command.copy())
-        memory = controller.learn(memory, trial, setting)
+        check_law(law, setting)
+        check_stages(scenario, law)
+        if scenario.sampled:
+            sampler = prepare(sampler, scenario, setting, law, j)
+            ports.soft = 0.0
+        else:
+            ports.damping, ports.stiffness, ports.barrier = law.damping, law.stiffness, law.barrier
+        inputs = bench.inputs(scenario, j, law)
+        done = kernel(modal, bench.step, inputs, sampler, ports, stages, every, record)
+        memory = controller.learn(memory, seen(j, scenario, record, sampler), setting)
         yield {
-            **variables(scenario, bench, record, inputs.disturbance, ports),
+            **variables(scenario, bench, j, record, inputs.disturbance),
+            **accounts(scenario, j, record, inputs, ports),
+            **(samples(sampler, setting) if scenario.sampled else {}),
             **memory,
             "status": FINE if done == scenario.steps else BROKEN,
             "unsettled": int(record.unsettled[0]),
         }
 
 
+def seen(trial: int, scenario: Scenario, record: Record, sampler: Sampler) -> Trial:
+    """The trial as the controller measured it: exactly, or through its samples."""
+    if not scenario.sampled:
+        return Trial(trial, record.y.copy(), record.v.copy(), record.command.copy())
+    return Trial(trial, sampler.error.copy(), sampler.rate.copy(), sampler.issued[sampler.ahead :].copy())
+
+
+def samples(sampler: Sampler, setting: Setting) -> dict[str, Array]:
+    """What the result keeps of the samples."""
+    reading = sampler.error[:-1] + setting.reference[:-1]
+    return {"reading": reading, "rate_estimate": sampler.rate, "issued": sampler.issued[sampler.ahead :]}
+
+
 def note_trouble(scenario: Scenario, trial: int, record: dict[str, Any], warnings: list[str]) -> None:
     """Add to the warnings what went wrong in a trial; each kind of trouble is told once, where it began."""
-    if scenario.controller.uses_barrier:
-        for p, (port, limit) in enumerate(zip(scenario.plant.ports, scenario.limits, strict=True)):
-            beyond = np.flatnonzero(~(np.abs(record["y"][:, p]) < limit))
-            told = f"The constraint of {port.name} was lost"
-            if len(beyond) and not any(line.startswith(told) for line in warnings):
-                warnings.append(f"{told}, first at t = {beyond[0] * scenario.numerics.step:.4g} s of trial {trial}.")
+    low, high = scenario.limits(trial)
+    beyond = ~((low < record["y"]) & (record["y"] < high))
+    for p in np.flatnonzero(beyond.any(axis=0)):
+        told = f"{LOST} {scenario.ports[p]} was lost"
+        if not any(line.startswith(told) for line in warnings):
+            first = np.flatnonzero(beyond[:, p])[0]
+            warnings.append(f"{told}, first at t = {first * scenario.numerics.step:.4g} s of trial {trial}.")
     if record["unsettled"] and not any("did not settle" in line for line in warnings):
         warnings.append(
             f"The forces at the ports did not settle in {record['unsettled']} steps of trial {trial}: do not trust this run."
         )
 
 
-def check_law(law: PortLaw) -> None:
+def check_law(law: PortLaw, setting: Setting) -> None:
     """The closure has one solution only if nothing in the law pushes the wrong way."""
-    for name in ("coulomb", "damping", "barrier"):
+    ports = len(setting.ports)
+    for name in ("feedforward", "coulomb", "damping", "stiffness", "barrier"):
         value = getattr(law, name)
-        if not np.all(value >= 0):
+        shape = (setting.steps, ports) if name in ("feedforward", "coulomb") else (ports,)
+        if np.shape(value) != shape:
+            raise ArgumentError(f"The controller's `{name}` must have shape {shape}, but has {np.shape(value)}.")
+        if not np.all(np.isfinite(value)):
+            raise ArgumentError(f"The controller's `{name}` must be finite, but is not.")
+        if name != "feedforward" and not np.all(value >= 0):
             raise ArgumentError(f"The controller's `{name}` must be >= 0, but its least value is {np.min(value):g}.")
 
 
-def empty_record(steps: int, ports: int, modes: int, every: int) -> Record:
-    """Arrays for the kernel to fill."""
-    on_times, on_steps = (steps + 1, ports), (steps, ports)
-    shapes = (on_times, on_times, (steps + 1,), on_steps, on_steps, on_steps, (steps,), (steps // every + 1, modes), (1,))
-    return Record(*map(np.zeros, shapes))
+def check_stages(scenario: Scenario, law: PortLaw) -> None:
+    """Inside a continuous law every stage must be monotone; a held command goes through any."""
+    if scenario.sampled:
+        return
+    for p, port in enumerate(scenario.ports):
+        held = not (np.any(law.coulomb[:, p]) or law.damping[p] or law.stiffness[p] or law.barrier[p])
+        for stage in scenario.chain(p):
+            if not (held or stage.monotone):
+                raise ArgumentError(
+                    f"Argument `actuator.{port}` has a {type(stage).__name__} whose output can fall as its command rises: inside "
+                    'a continuous law that has no unique solution; use `numerics.mode` = "sampled", or feedforward alone.'
+                )
 
 
-def variables(scenario: Scenario, bench: Bench, record: Record, disturbance: Array, ports: Any) -> dict[str, Array]:
-    """What the result keeps of a trial: signals, the energy account, fields and peaks."""
-    moved = np.diff(record.y, axis=0)
+def variables(scenario: Scenario, bench: Bench, trial: int, record: Record, disturbance: Array) -> dict[str, Array]:
+    """What the result keeps of a trial: signals, fields and peaks."""
+    reference = scenario.reference(trial)
+    y = record.y + reference
     fields = {name: record.q @ shapes.T for name, shapes in bench.shapes.items()}
-    peak = [max(np.abs(fields[f.name]).max(), *_port_peaks(record, bench, f.name)) for f in bench.modes.fields]
+    peak = [max(np.abs(fields[f.name]).max(), *_port_peaks(y, bench, f.name)) for f in bench.modes.fields]
     return {
-        "y": record.y,
+        "y": y,
         "v": record.v,
         "command": record.command,
         "delivered": record.delivered,
         "disturbance": disturbance,
         "energy": record.energy,
-        "work_control": record.delivered * moved,
-        "work_actuator": (record.delivered - ports.gain * record.command) * moved,
-        "work_disturbance": disturbance * moved,
-        "work_load": record.work_load,
-        **barrier_account(record.y, ports),
-        **compliance_account(record, ports, scenario.numerics.step),
+        **({"reference": reference} if scenario.task.reference else {}),
         **fields,
         "peak": np.array(peak),
     }
 
 
-def _port_peaks(record: Record, bench: Bench, field: str) -> list[float]:
+def _port_peaks(y: Array, bench: Bench, field: str) -> list[float]:
     """Port signals see every step, snapshots do not: a field's peak is taken over both."""
-    return [float(np.abs(record.y[:, p]).max()) for p, port in enumerate(bench.modes.ports) if port.field == field]
-
-
-def barrier_account(y: Array, ports: Any) -> dict[str, Array]:
-    """Energy of the barrier as the actuator's slope delivers it: gain alpha V(y), V = 1/4 ln^2(C^2 / (C^2 - y^2))."""
-    scaled = np.where(ports.barrier > 0, y / ports.limit, 0.0)
-    inside = np.abs(scaled) < 1
-    logarithm = -np.log1p(-(np.where(inside, scaled, 0.0) ** 2))
-    stored = np.where(inside, ports.gain * ports.barrier * logarithm**2 / 4, np.inf if np.any(ports.barrier > 0) else 0.0)
-    return {"barrier_energy": stored.sum(axis=1)}
-
-
-def compliance_account(record: Record, ports: Any, dt: float) -> dict[str, Array]:
-    """Energy that the ports' numerical compliance stores, at times, and what it dissipates, at steps (see `closure`)."""
-    stored = ports.soft * dt * record.slow**2 / (2 * RELAXATION)
-    lost = ports.soft * dt * (1 - RELAXATION / 2) * (record.delivered - record.slow[:-1]) ** 2
-    return {"compliance_energy": stored.sum(axis=1), "compliance_loss": lost.sum(axis=1)}
+    return [0.0, *(float(np.abs(y[:, p]).max()) for p, port in enumerate(bench.modes.ports) if port.field == field)]

@@ -29,7 +29,7 @@ def draw_port(of: str, run: Result, other: Result | None) -> tuple[Figure, str]:
         t_grey, y_grey = extremes(behind, "y", port.index)
         handles += axes.plot(t_grey, y_grey, color=UNCONTROLLED, lw=0.6, alpha=0.75, label="no control", zorder=2)
         top = max(top, float(np.abs(y_grey).max()))
-    limit = float(run.scenario.limits[port.index])
+    limit = float(run.scenario.limits()[1][0, port.index])
     shown = limit <= FAR * top
     drawn = max(top, limit if shown else 0.0) or 1.0
     reach = 1.34 * drawn

@@ -7,7 +7,7 @@ from collections.abc import Iterator
 import numpy as np
 
 from dampen.analysis.claims import Claim
-from dampen.analysis.metrics import field_rms, largest, peaks, port_rms
+from dampen.analysis.metrics import field_rms, fraction_of_limit, largest, peaks, port_rms
 from dampen.scenarios.he2017.composite_energy import LAMBDAS, composite_energy, rises
 from dampen.simulation.result import Result
 
@@ -38,7 +38,7 @@ def _without_control(baseline: Result) -> Iterator[Claim]:
             id, f"Without control {field}(x, t) keeps vibrating", "RMS of the last trial >= 50 % of trial 0's",
             f"{ratio:.0%}", None if last < 1 else ratio >= KEPT,
         )  # fmt: skip
-    peak, limit = largest(baseline, "y", "tip_w").max(), baseline.scenario.limits[0]
+    peak, limit = largest(baseline, "y", "tip_w").max(), upper_limits(baseline)[0]
     exceeds = bool(peak > limit) if np.isfinite(limit) else None
     yield Claim("F7", "Without control |w(L, t)| exceeds C1", f"max |w(L, t)| > {limit:g} m", f"{peak:.4f} m", exceeds)
     least = min(port_rms(baseline, "tip_phi", j) for j in range(baseline.trials))
@@ -59,23 +59,28 @@ def _fields_settle(result: Result) -> Iterator[Claim]:
 
 
 def _constraint_kept(result: Result) -> Iterator[Claim]:
-    for id, (_, port, name, unit, _), limit in zip(("F11", "F12"), CHANNELS, result.scenario.limits, strict=True):
+    for id, (_, port, name, unit, _), limit in zip(("F11", "F12"), CHANNELS, upper_limits(result), strict=True):
         y = largest(result, "y", port).max()
         yield Claim(
             id, f"|{name}(L, t)| stays below its constraint", f"|{name}(L, t)| < {limit:g} {unit} at every step",
-            f"max {y:.4f} {unit}{_so_far(result)}", _kept(result, y / limit),
+            f"max {y:.4f} {unit}{_so_far(result)}", _kept(result, port),
         )  # fmt: skip
 
 
-def _kept(result: Result, fraction: float) -> bool | None:
+def upper_limits(result: Result) -> np.ndarray:
+    """(ports,) C1 and C2; inf where there is none."""
+    return np.asarray(result.scenario.limits()[1][0])
+
+
+def _kept(result: Result, *ports: str) -> bool | None:
     """Whether |y|/C stayed below 1; a motion that diverged did not keep it, and without a constraint nothing can be said."""
-    if not np.isfinite(result.scenario.limits).all():
+    if not np.isfinite(upper_limits(result)).all():
         return None
-    return bool(fraction < 1) and result.status != "diverged"
+    return all(fraction_of_limit(result, port).max() < 1 for port in ports) and result.status != "diverged"
 
 
 def _so_far(result: Result) -> str:
-    return "" if result.status == "complete" else f" in {result.trials} of {result.scenario.task.trials} trials"
+    return "" if not result.broke_off else f" in {result.trials} of {result.scenario.task.trials} trials"
 
 
 def _peaks_fall(result: Result) -> Iterator[Claim]:
@@ -130,10 +135,10 @@ def _theorem_2(result: Result, baseline: Result, composite: Composite) -> Iterat
             id, f"E_j(T_b) does not increase along the trials; {how}", f"no rise at lambda = {listed} 1/s",
             measured, None if count is None or result.trials < 2 else not any(count),
         )  # fmt: skip
-    limits = result.scenario.limits
-    fraction = max(largest(result, "y", port).max() / limit for (_, port, *_), limit in zip(CHANNELS, limits, strict=True))
+    ports = [port for _, port, *_ in CHANNELS]
+    fraction = max(fraction_of_limit(result, port).max() for port in ports)
     measured = f"largest |y|/C {fraction:.3f}{_so_far(result)}"
-    yield Claim("T2c", "The outputs keep the constraint", "|y| < C at every step", measured, _kept(result, fraction))
+    yield Claim("T2c", "The outputs keep the constraint", "|y| < C at every step", measured, _kept(result, *ports))
     last = min(result.trials, baseline.trials) - 1
     left = max(_ratio(field_rms(result, field, last), field_rms(baseline, field, last)) for field, *_ in CHANNELS)
     yield Claim(

@@ -51,7 +51,7 @@ def unweighted(result: Result, trial: int) -> Array:
     law = result.scenario.controller
     assert isinstance(law, DualLoopAILC)
     energy, y = np.asarray(result["energy"][trial])[[0, -1]], np.asarray(result["y"][trial])[[0, -1]]
-    scaled = np.minimum(np.abs(y) / result.scenario.limits, 1.0)
+    scaled = np.minimum(np.abs(y) / result.scenario.limits()[1][0], 1.0)
     with np.errstate(divide="ignore"):
         stored = np.array([law.alpha_3, law.alpha_6]) / 4 * np.log1p(-(scaled**2)) ** 2
     return energy + stored.sum(axis=1)

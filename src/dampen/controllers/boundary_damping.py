@@ -1,0 +1,50 @@
+"""Damping and stiffness at the ports."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from typing import Annotated, ClassVar, Literal
+
+from annotated_types import Ge
+from typing_extensions import Doc
+
+from dampen.controllers.base import Controller, Memory, PortLaw, Setting
+from dampen.controllers.feedforward import feedforward
+from dampen.signals.base import Signal
+
+
+@dataclass(frozen=True)
+class BoundaryDamping(Controller):
+    """PD control at each port, with an optional feedforward and barrier.
+
+        u = feedforward - damping e' - stiffness e - barrier V'(e),     e = y - reference
+
+    The classical boundary control of a beam: with damping alone it only takes energy. Source: Luo, Guo and Morgul, Stability
+    and Stabilization of Infinite Dimensional Systems, 1999, ch. 4.
+    """
+
+    kind: ClassVar[str] = "boundary-damping"
+
+    damping: Annotated[dict[str, float], Ge(0), Doc("by port, damping [N s/m, N m s]")] = field(default_factory=dict)
+    stiffness: Annotated[dict[str, float], Ge(0), Doc("by port, stiffness [N/m, N m/rad]")] = field(default_factory=dict)
+    feedforward: Annotated[dict[str, float | Signal], Doc("by port, feedforward [N, N m], a number or a signal")] = field(
+        default_factory=dict
+    )
+    barrier: Annotated[Literal["log", "tan", "none"], Doc("shape of the barrier")] = "none"
+    barrier_gain: Annotated[dict[str, float], Ge(0), Doc("by port, gain of the barrier [N m]")] = field(default_factory=dict)
+
+    @property
+    def barrier_shape(self) -> Literal["log", "tan", "none"]:
+        return self.barrier
+
+    @property
+    def ports_named(self) -> tuple[str, ...]:
+        return (*self.damping, *self.stiffness, *self.feedforward, *self.barrier_gain)
+
+    def law(self, memory: Memory, setting: Setting) -> PortLaw:
+        return PortLaw(
+            feedforward=feedforward(self.feedforward, setting),
+            damping=setting.by_port(self.damping),
+            stiffness=setting.by_port(self.stiffness),
+            barrier=setting.by_port(self.barrier_gain) * (self.barrier != "none"),
+        )

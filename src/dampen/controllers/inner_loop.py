@@ -1,0 +1,105 @@
+"""The inner loop of He et al. 2017: the adaptive barrier law at the ports, with what it has learned put in."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from typing import Annotated, ClassVar, Literal
+
+import numpy as np
+from annotated_types import Ge, Gt, Le, Unit
+from typing_extensions import Doc
+
+from dampen.component import ArgumentError, Component
+from dampen.controllers.base import Array, Controller, Memory, PortLaw, Setting
+from dampen.port import Port
+from dampen.stage import Stage, Step
+
+
+@dataclass(frozen=True)
+class AssumedBacklash(Component):
+    """What the controller believes of the backlash in front of it; defaults are section V's true values."""
+
+    slope: Annotated[float, Gt(0), Doc("slope m")] = 0.3
+    right: Annotated[float, Ge(0), Unit("N"), Doc("right end of the gap B_r (N m at a torque port)")] = 0.1
+    left: Annotated[float, Le(0), Unit("N"), Doc("left end of the gap B_l (N m at a torque port)")] = -0.2
+
+    def check(self) -> None:
+        if self.left >= self.right:
+            raise ArgumentError(f"Argument `left` must be < `right`, but is {self.left:g} where `right` is {self.right:g}.")
+
+    @property
+    def width(self) -> float:
+        """m (B_r - B_l): how far the law's value can be from the delivered force."""
+        return self.slope * (self.right - self.left)
+
+
+def flank_step(command: float, state: Array, parameters: Array, new_state: Array) -> float:
+    """eta = command / m + B_l."""
+    return command * parameters[0] + parameters[1]
+
+
+@dataclass(frozen=True)
+class FlankInverse(Stage):
+    """Aims the actuator's input at the left flank of the assumed backlash: eta = command / m + B_l.
+
+    With exact estimates the play then delivers command + d_b with d_b in [-m (B_r - B_l), 0], the paper's (4)-(5).
+    """
+
+    assumed: AssumedBacklash
+
+    step: ClassVar[Step] = staticmethod(flank_step)
+
+    def row(self, dt: float) -> tuple[float, ...]:
+        return 1 / self.assumed.slope, self.assumed.left
+
+    @property
+    def gain(self) -> float:
+        return 1 / self.assumed.slope
+
+
+@dataclass(frozen=True)
+class InnerLoop(Controller):
+    """The law within a trial; what the two terms with a hat come from is a matter of the subclass."""
+
+    alpha_1: Annotated[float, Gt(0), Doc("gain against the distributed load, on its bound f_bar L")] = 1.0
+    alpha_2: Annotated[float, Ge(1), Doc("gain on the bound of the force disturbance")] = 1.0
+    alpha_3: Annotated[float, Gt(0), Unit("N m"), Doc("barrier gain of the force channel")] = 0.1
+    alpha_4: Annotated[float, Gt(0), Unit("N s/m"), Doc("damping and learning gain of the force channel")] = 1.0
+    alpha_5: Annotated[float, Ge(1), Doc("gain on the bound of the torque disturbance")] = 1.0
+    alpha_6: Annotated[float, Gt(0), Unit("N m"), Doc("barrier gain of the torque channel")] = 0.1
+    alpha_7: Annotated[float, Gt(0), Unit("N m s"), Doc("damping and learning gain of the torque channel")] = 1.0
+    alpha_8: Annotated[float, Gt(0), Unit("N s/m"), Doc("observer gain of the force channel")] = 0.1
+    alpha_9: Annotated[float, Gt(0), Unit("N m s"), Doc("observer gain of the torque channel; the paper's own value")] = 0.1
+    barrier: Annotated[Literal["log", "tan", "none"], Doc("shape of the barrier; the paper's is log")] = "log"
+    compensate: Annotated[
+        bool, Doc("true: aim at the assumed backlash (the paper's analysis); false: the law drives the actuator")
+    ] = True
+    assumed_backlash: Annotated[AssumedBacklash, Doc("what the controller believes of the backlash")] = field(
+        default_factory=AssumedBacklash
+    )
+
+    @property
+    def barrier_shape(self) -> Literal["log", "tan", "none"]:
+        return self.barrier
+
+    @property
+    def needs_bounds(self) -> tuple[str, ...]:
+        return ("f", "ports")
+
+    def compensation(self, port: Port) -> tuple[Stage, ...]:
+        return (FlankInverse(self.assumed_backlash),) if self.compensate else ()
+
+    def law(self, memory: Memory, setting: Setting) -> PortLaw:
+        nothing = np.zeros((setting.steps, len(setting.ports)))
+        return PortLaw(
+            feedforward=memory.get("zeta", nothing),
+            coulomb=memory.get("d_hat", nothing) + self._robust(setting),
+            damping=setting.by_kind(self.alpha_4 + self.alpha_8, self.alpha_7 + self.alpha_9),
+            barrier=setting.by_kind(self.alpha_3, self.alpha_6) * (self.barrier != "none"),
+        )
+
+    def _robust(self, setting: Setting) -> Array:
+        """The constant part of the switching gain, (ports,)."""
+        d_bar = np.array([setting.bounds[port.name] for port in setting.ports])
+        f_bar = setting.bounds["f"] * setting.length
+        return setting.by_kind(2 * self.alpha_1 * f_bar, 0.0) + setting.by_kind(self.alpha_2, self.alpha_5) * d_bar

@@ -1,0 +1,168 @@
+"""Linear-quadratic-Gaussian control on a reduced modal model."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from typing import Annotated, ClassVar, NamedTuple
+
+import numpy as np
+from annotated_types import Ge, Gt, Unit
+from typing_extensions import Doc
+
+from dampen.component import ArgumentError
+from dampen.controllers.base import Array, SampledFeedback, SampledStep, Setting
+from dampen.modal import ModalModel, propagator
+
+
+def lqg_step(sample, state, parameters, command):  # type: ignore[no-untyped-def]
+    """Correct the estimate by the reading, command from it, predict the next."""
+    ports, n = len(command), int(parameters[0])
+    hold, feed, correct, read = 1, 1 + ports * n, 1 + ports * n + ports * ports, 1 + 2 * ports * n + ports * ports
+    drift, push = 1 + 3 * ports * n + ports * ports, 1 + 3 * ports * n + ports * ports + n * n
+    for p in range(ports):
+        surprise = sample.error[p] + sample.reference[p]
+        for i in range(n):
+            surprise -= parameters[read + p * n + i] * state[i]
+        state[n + p] = surprise
+    for i in range(n):
+        for p in range(ports):
+            state[i] += parameters[correct + i * ports + p] * state[n + p]
+    for p in range(ports):
+        command[p] = 0.0
+        for r in range(ports):
+            command[p] += parameters[feed + p * ports + r] * sample.reference[r]
+        for i in range(n):
+            command[p] -= parameters[hold + p * n + i] * state[i]
+    for i in range(n):
+        state[n + ports + i] = state[i]
+    for i in range(n):
+        state[i] = 0.0
+        for r in range(n):
+            state[i] += parameters[drift + i * n + r] * state[n + ports + r]
+        for p in range(ports):
+            state[i] += parameters[push + i * ports + p] * command[p]
+
+
+class Design(NamedTuple):
+    """x+ = A x + B u, y = C x at the samples; u = feed r - hold x, x <- x + correct (y - C x). x: q, q', commands under way."""
+
+    a: Array
+    b: Array
+    c: Array
+    hold: Array
+    correct: Array
+    feed: Array
+
+
+@dataclass(frozen=True)
+class LQG(SampledFeedback):
+    """Linear-quadratic-Gaussian control of the lowest modes, through samples: a Kalman filter and its state fed back.
+
+        hold minimises the sum over samples of  energy_weight (q'^2 + omega^2 q^2) + error_weight y^2 + effort_weight u^2
+        the filter is optimal for white forces of `force_noise` at the ports, held from sample to sample, and for white
+        `sensor_noise` on the readings
+
+    A delay is part of the model. A reference is fed forward so that the model comes to rest on it. What the model leaves out
+    is not seen by the design: spillover shows in the run. Source: Franklin, Powell and Workman, Digital Control of Dynamic
+    Systems, 1998, ch. 9.
+    """
+
+    kind: ClassVar[str] = "lqg"
+    step: ClassVar[SampledStep] = staticmethod(lqg_step)
+
+    modes: Annotated[int, Gt(0), Doc("number of modes in the controller's model")] = 6
+    energy_weight: Annotated[float, Ge(0), Unit("1/J"), Doc("weight of the modal energies")] = 1.0
+    error_weight: Annotated[dict[str, float], Ge(0), Doc("by port, weight of its displacement [1/m^2, 1/rad^2]")] = field(
+        default_factory=dict
+    )
+    effort_weight: Annotated[float, Gt(0), Doc("weight of the commands [1/N^2, 1/(N m)^2]")] = 0.1
+    force_noise: Annotated[float, Gt(0), Doc("assumed standard deviation of the disturbing forces [N, N m]")] = 0.1
+    sensor_noise: Annotated[float, Gt(0), Doc("assumed standard deviation of the readings [m, rad]")] = 1e-4
+
+    @property
+    def ports_named(self) -> tuple[str, ...]:
+        return tuple(self.error_weight)
+
+    def row(self, setting: Setting) -> Array:
+        d = self.design(setting)
+        blocks = (d.hold, d.feed, d.correct, d.c, d.a, d.b)
+        return np.concatenate([[float(len(d.a))], *(np.ravel(block) for block in blocks)])
+
+    def states(self, setting: Setting) -> int:
+        n = 2 * min(self.modes, setting.model().count) + under_way(setting) * len(setting.ports)
+        return 2 * n + len(setting.ports)
+
+    def design(self, setting: Setting) -> Design:
+        """The sampled model and its gains. Raises ArgumentError where the Riccati equations have no solution."""
+        from scipy.linalg import LinAlgError, solve_discrete_are
+
+        a, b, c = sampled_model(self.lowest(setting.model()), setting)
+        omega, ports = setting.model().omega[: self.modes], len(setting.ports)
+        n = len(omega)
+        weight = np.zeros_like(a)
+        weight[: 2 * n, : 2 * n] = self.energy_weight * np.diag(np.concatenate([omega**2, np.ones(n)]))
+        weight += c.T @ (setting.by_port(self.error_weight)[:, None] * c)
+        effort, shaken = self.effort_weight * np.eye(ports), self.force_noise**2 * self._shaking(setting, len(a))
+        try:
+            cost = solve_discrete_are(a, b, weight, effort)
+            spread = solve_discrete_are(a.T, c.T, shaken, self.sensor_noise**2 * np.eye(ports))
+        except (LinAlgError, ValueError) as error:
+            raise ArgumentError(f"Argument `controller` has weights for which there is no LQG design: {error}.") from None
+        hold = np.linalg.solve(effort + b.T @ cost @ b, b.T @ cost @ a)
+        correct = np.linalg.solve(c @ spread @ c.T + self.sensor_noise**2 * np.eye(ports), c @ spread).T
+        rest, feed = at_rest(a, b, c)
+        return Design(a, b, c, hold, correct, feed + hold @ rest)
+
+    def lowest(self, model: ModalModel) -> ModalModel:
+        """The modes that the controller knows of."""
+        return ModalModel(omega=model.omega[: self.modes], b=model.b[:, : self.modes], decay=model.decay[: self.modes])
+
+    def _shaking(self, setting: Setting, size: int) -> Array:
+        """Covariance of the state after a sample of unit random forces at the ports."""
+        _, held = transition(self.lowest(setting.model()), setting.dt)
+        push = np.zeros((size, len(setting.ports)))
+        push[: len(held)] = held
+        return push @ push.T
+
+
+def under_way(setting: Setting) -> int:
+    """How many samples' commands are on their way to the actuators."""
+    return int(np.ceil(setting.delay / setting.dt - 1e-9))
+
+
+def sampled_model(model: ModalModel, setting: Setting) -> tuple[Array, Array, Array]:
+    """(A, B, C) of the modes at the samples, with the commands that are under way as further states, oldest first."""
+    n, ports, late = model.count, len(setting.ports), under_way(setting)
+    free, push = transition(model, setting.dt)
+    c = np.hstack([model.b, np.zeros((ports, n + late * ports))])
+    if not late:
+        return free, push, c
+    wait = setting.delay - (late - 1) * setting.dt  # of the oldest command, whose successor acts from then on
+    size = 2 * n + late * ports
+    a, b = np.zeros((size, size)), np.zeros((size, ports))
+    end, end_push = transition(model, setting.dt - wait)
+    _, begin_push = transition(model, wait)
+    a[: 2 * n, : 2 * n] = free
+    a[: 2 * n, 2 * n : 2 * n + ports] = end @ begin_push
+    if late > 1:
+        a[: 2 * n, 2 * n + ports : 2 * n + 2 * ports] = end_push
+    else:
+        b[: 2 * n] = end_push
+    a[2 * n : size - ports, 2 * n + ports :] = np.eye((late - 1) * ports)
+    b[size - ports :] = np.eye(ports)
+    return a, b, c
+
+
+def transition(model: ModalModel, seconds: float) -> tuple[Array, Array]:
+    """(A, B) of the modes over some time under held port forces; x is all q, then all q'."""
+    p = propagator(model, seconds)
+    a = np.block([[np.diag(p.c11), np.diag(p.c12)], [np.diag(p.c21), np.diag(p.c22)]])
+    return a, np.vstack([(p.psi * model.b).T, (p.c12 * model.b).T])
+
+
+def at_rest(a: Array, b: Array, c: Array) -> tuple[Array, Array]:
+    """State and command, per unit of reference, in which the model stays with y = reference."""
+    n, ports = b.shape
+    matrix = np.block([[a - np.eye(n), b], [c, np.zeros((ports, ports))]])
+    solution = np.linalg.lstsq(matrix, np.vstack([np.zeros((n, ports)), np.eye(ports)]), rcond=None)[0]
+    return solution[:n], solution[n:]

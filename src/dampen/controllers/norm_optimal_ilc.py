@@ -1,0 +1,101 @@
+"""Norm-optimal iterative learning."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass, field
+from typing import Annotated, ClassVar
+
+import numpy as np
+from annotated_types import Ge
+from typing_extensions import Doc
+
+from dampen.component import wrong
+from dampen.controllers.base import Array, Controller, Memory, PortLaw, Setting, Trial
+
+TOLERANCE, ITERATIONS = 1e-13, 5000
+
+
+@dataclass(frozen=True)
+class NormOptimalILC(Controller):
+    """Norm-optimal iterative learning control, beside an optional PD feedback.
+
+        u_(j+1) minimises  error_weight |e_(j+1)|^2 + effort_weight |u|^2 + change_weight |u - u_j|^2
+
+    over all commands of a trial, where e_(j+1) = e_j + P (u - u_j) and P is the lifted response of the structure with its
+    feedback, computed from the model. The norms are means over the trial of squares, errors weighted by port. Without
+    effort weight, a repeated disturbance and equal starts, the error's norm falls from trial to trial. Source: Amann, Owens
+    and Rogers, IEE Proc. Control Theory Appl. 143, 1996.
+    """
+
+    kind: ClassVar[str] = "norm-optimal-ilc"
+
+    error_weight: Annotated[dict[str, float], Ge(0), Doc("by port, weight of the error [1/m^2, 1/rad^2]; left out: 1")] = field(
+        default_factory=dict
+    )
+    effort_weight: Annotated[float, Ge(0), Doc("weight of the command [1/N^2, 1/(N m)^2]")] = 0.0
+    change_weight: Annotated[float, Ge(0), Doc("weight of the command's change between trials [1/N^2, 1/(N m)^2]")] = 1e-4
+    damping: Annotated[dict[str, float], Ge(0), Doc("by port, damping of the feedback [N s/m, N m s]")] = field(
+        default_factory=dict
+    )
+    stiffness: Annotated[dict[str, float], Ge(0), Doc("by port, stiffness of the feedback [N/m, N m/rad]")] = field(
+        default_factory=dict
+    )
+
+    def check(self) -> None:
+        if self.effort_weight + self.change_weight == 0:
+            raise wrong("change_weight", "be > 0 where `effort_weight` is 0", self.change_weight)
+
+    @property
+    def ports_named(self) -> tuple[str, ...]:
+        return (*self.error_weight, *self.damping, *self.stiffness)
+
+    def begin(self, setting: Setting) -> Memory:
+        return {"learned": np.zeros((setting.steps, len(setting.ports)))}
+
+    def law(self, memory: Memory, setting: Setting) -> PortLaw:
+        return PortLaw(memory["learned"], damping=setting.by_port(self.damping), stiffness=setting.by_port(self.stiffness))
+
+    def learn(self, memory: Memory, trial: Trial, setting: Setting) -> Memory:
+        """Conjugate gradients on (P' Q P + (r + s) I) (u - u_j) = -P' Q e_j - r u_j."""
+        lifted = Lifted(setting.response())
+        weight, command = setting.by_port(self.error_weight, 1.0), memory["learned"]
+        ridge = self.effort_weight + self.change_weight
+        gradient = lifted.back(weight * trial.error[1:]) + self.effort_weight * command
+        change = conjugate_gradients(lambda u: lifted.back(weight * lifted(u)) + ridge * u, -gradient)
+        return {"learned": command + change}
+
+
+class Lifted:
+    """The lifted matrix P, block Toeplitz, through fast Fourier transforms. response: (steps, ports out, ports in)."""
+
+    def __init__(self, response: Array):
+        self.steps = len(response)
+        self.spectrum = np.fft.rfft(response, 2 * self.steps, axis=0)
+
+    def __call__(self, u: Array) -> Array:
+        """P u, (steps, ports)."""
+        product = np.einsum("fpr,fr->fp", self.spectrum, np.fft.rfft(u, 2 * self.steps, axis=0))
+        return np.asarray(np.fft.irfft(product, 2 * self.steps, axis=0)[: self.steps])
+
+    def back(self, e: Array) -> Array:
+        """P' e, (steps, ports)."""
+        product = np.einsum("fpr,fp->fr", self.spectrum.conj(), np.fft.rfft(e, 2 * self.steps, axis=0))
+        return np.asarray(np.fft.irfft(product, 2 * self.steps, axis=0)[: self.steps])
+
+
+def conjugate_gradients(matrix: Callable[[Array], Array], right: Array) -> Array:
+    """The solution of a symmetric positive definite system, given as a product."""
+    x, r = np.zeros_like(right), right.copy()
+    p, square = r.copy(), float(np.sum(r * r))
+    target = TOLERANCE**2 * square
+    for _ in range(ITERATIONS):
+        if square <= target:
+            break
+        product = matrix(p)
+        step = square / float(np.sum(p * product))
+        x += step * p
+        r -= step * product
+        square, before = float(np.sum(r * r)), square
+        p = r + square / before * p
+    return x

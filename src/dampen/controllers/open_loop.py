@@ -1,0 +1,30 @@
+"""Commands given beforehand."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from typing import Annotated, ClassVar
+
+from typing_extensions import Doc
+
+from dampen.controllers.base import Controller, Memory, PortLaw, Setting
+from dampen.controllers.feedforward import feedforward
+from dampen.signals.base import Signal
+
+
+@dataclass(frozen=True)
+class OpenLoop(Controller):
+    """Commands given beforehand, the same in each trial, whatever the structure does: u = command(t)."""
+
+    kind: ClassVar[str] = "open-loop"
+
+    command: Annotated[dict[str, float | Signal], Doc("by port, command [N, N m], a number or a signal")] = field(
+        default_factory=dict
+    )
+
+    @property
+    def ports_named(self) -> tuple[str, ...]:
+        return tuple(self.command)
+
+    def law(self, memory: Memory, setting: Setting) -> PortLaw:
+        return PortLaw(feedforward(self.command, setting))

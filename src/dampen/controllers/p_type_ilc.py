@@ -1,0 +1,94 @@
+"""Iterative learning with a gain on the error: P-type and PD-type."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from typing import Annotated, ClassVar
+
+import numpy as np
+from annotated_types import Ge, Gt, Lt, Unit
+from typing_extensions import Doc
+
+from dampen.controllers.base import Array, Controller, Memory, PortLaw, Setting, Trial
+
+
+@dataclass(frozen=True)
+class PTypeILC(Controller):
+    """P-type iterative learning control, beside an optional PD feedback.
+
+        u_(j+1)(k) = Q [ (1 - forgetting) u_j(k) - learning e_j(k + 1 + lead) ],     e = y - reference
+        command    = u_j - damping e' - stiffness e
+
+    Q is a zero-phase low-pass: a second-order Butterworth filter run forwards and backwards. The error is taken one sample
+    later than the command, and `lead` more: what a command does to a structure with inertia comes late. Sources: Arimoto,
+    Kawamura and Miyazaki, J. Robotic Systems 1, 1984; Bristow, Tharayil and Alleyne, IEEE Control Systems Magazine 26, 2006.
+    """
+
+    kind: ClassVar[str] = "p-type-ilc"
+
+    learning: Annotated[dict[str, float], Doc("by port, learning gain [N/m, N m/rad]")] = field(default_factory=dict)
+    lead: Annotated[float, Ge(0), Unit("s"), Doc("how much later than one sample the error is taken")] = 0.0
+    forgetting: Annotated[float, Ge(0), Lt(1), Doc("share of the learned command that is forgotten from trial to trial")] = 0.0
+    cutoff: Annotated[float | None, Gt(0), Unit("Hz"), Doc("cut-off frequency of Q; left out: Q = 1")] = None
+    damping: Annotated[dict[str, float], Ge(0), Doc("by port, damping of the feedback [N s/m, N m s]")] = field(
+        default_factory=dict
+    )
+    stiffness: Annotated[dict[str, float], Ge(0), Doc("by port, stiffness of the feedback [N/m, N m/rad]")] = field(
+        default_factory=dict
+    )
+
+    @property
+    def ports_named(self) -> tuple[str, ...]:
+        return (*self.learning, *self.damping, *self.stiffness)
+
+    def begin(self, setting: Setting) -> Memory:
+        return {"learned": np.zeros((setting.steps, len(setting.ports)))}
+
+    def law(self, memory: Memory, setting: Setting) -> PortLaw:
+        return PortLaw(memory["learned"], damping=setting.by_port(self.damping), stiffness=setting.by_port(self.stiffness))
+
+    def learn(self, memory: Memory, trial: Trial, setting: Setting) -> Memory:
+        raw = (1 - self.forgetting) * memory["learned"] - self.correction(trial, setting)
+        return {"learned": low_pass(raw, self.cutoff, setting.dt)}
+
+    def correction(self, trial: Trial, setting: Setting) -> Array:
+        """(steps, ports) what the error of a trial adds to the command, with the sign turned."""
+        shift = round(self.lead / setting.dt)
+        late = np.minimum(np.arange(1, setting.steps + 1) + shift, setting.steps)
+        return setting.by_port(self.learning) * trial.error[late]
+
+
+@dataclass(frozen=True)
+class PDTypeILC(PTypeILC):
+    """PD-type iterative learning control: P-type with the error's rate.
+
+        u_(j+1)(k) = Q [ (1 - forgetting) u_j(k) - learning e_j(k') - rate_learning (e_j(k') - e_j(k' - 1)) / T ],
+        k' = k + 1 + lead
+
+    Sources as for P-type.
+    """
+
+    kind: ClassVar[str] = "pd-type-ilc"
+
+    rate_learning: Annotated[dict[str, float], Doc("by port, learning gain on the rate [N s/m, N m s]")] = field(
+        default_factory=dict
+    )
+
+    @property
+    def ports_named(self) -> tuple[str, ...]:
+        return (*super().ports_named, *self.rate_learning)
+
+    def correction(self, trial: Trial, setting: Setting) -> Array:
+        shift = round(self.lead / setting.dt)
+        late = np.minimum(np.arange(1, setting.steps + 1) + shift, setting.steps)
+        rate = (trial.error[late] - trial.error[late - 1]) / setting.dt
+        return setting.by_port(self.learning) * trial.error[late] + setting.by_port(self.rate_learning) * rate
+
+
+def low_pass(signal: Array, cutoff: float | None, dt: float) -> Array:
+    """A zero-phase low-pass along the first axis; without a cut-off, or beyond half the sample rate, nothing is done."""
+    if cutoff is None or cutoff * dt >= 0.5:
+        return signal
+    from scipy.signal import butter, sosfiltfilt
+
+    return np.asarray(sosfiltfilt(butter(2, cutoff, fs=1 / dt, output="sos"), signal, axis=0))

@@ -1,0 +1,158 @@
+"""What is computed once, before the first trial: modes, the exact step, the kernel, and per trial what shakes and steers."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from functools import cached_property
+from typing import Any
+
+import numpy as np
+
+from dampen.component import ArgumentError, wrong
+from dampen.controllers.base import PortLaw, SampledFeedback
+from dampen.disturbances.base import Disturbance
+from dampen.modal import propagator
+from dampen.plants.base import Modes
+from dampen.port import Site
+from dampen.simulation.compose import Composition, compiled_kernel
+from dampen.simulation.digital_law import port_law
+from dampen.simulation.kernel import Inputs
+from dampen.simulation.records import aligned, exact_step, modal_record
+from dampen.simulation.resolution import check_resolution
+from dampen.simulation.scenario import Scenario
+from dampen.stage import Stage
+
+Array = np.ndarray
+LOADS_KEPT = 128 * 2**20
+LOAD_BLOCK = 100  # steps whose load is sampled at a time: what fits a processor's cache
+
+
+class Bench:
+    """The plant, set up for a scenario's task and disturbance; controllers can be changed without setting it up again.
+
+    Raises ArgumentError for what modes and step cannot resolve; `warnings` says where that is thin.
+    """
+
+    def __init__(self, scenario: Scenario):
+        numerics, plant = scenario.numerics, scenario.plant
+        self.scenario = scenario
+        self.site = Site(plant.ports, plant.span, scenario.task.trial_duration)
+        on_grid = numerics.discretisation == "finite-difference"
+        self.modes: Modes = plant.modes(numerics.modes, numerics.points) if on_grid else plant.modes(numerics.modes)
+        self.motion = propagator(self.modes, numerics.step)
+        self.step = exact_step(self.modes, self.motion, numerics.step)
+        self.midpoints = (np.arange(scenario.steps) + 0.5) * numerics.step
+        self.x = output_points(scenario)
+        self.start = plant.initial_state(self.modes)
+        self.warnings = check_resolution(scenario, self.modes, self.site)
+        self.check_start(scenario)
+        self._stages: list[type[Stage]] = []
+        self._sampled_law: Callable[..., None] | None = None
+        self._barrier = "none"
+        self._loads: dict[int, tuple[Array, Array, Array]] = {}
+
+    @cached_property
+    def shapes(self) -> dict[str, Array]:
+        """(points, modes) shapes at the output points, for each field."""
+        return {field.name: field.shapes(self.x) for field in self.modes.fields}
+
+    def kernel(self, scenario: Scenario, compile: bool = True) -> tuple[Any, Sequence[type[Stage]]]:
+        """The kernel with all that this scenario, or another one on this bench, needs; and the stages' classes, by code.
+
+        A second scenario adds only what the first did not have, so that the run without control needs no kernel of its own.
+        """
+        controller = scenario.controller
+        for p in range(len(scenario.plant.ports)):
+            self._stages += [cls for cls in map(type, scenario.chain(p)) if cls not in self._stages]
+        if scenario.sampled:
+            self._sampled_law = type(controller).step if isinstance(controller, SampledFeedback) else port_law
+        if controller.barrier_shape != "none":
+            self._barrier = controller.barrier_shape
+        composition = Composition(
+            ports=len(scenario.plant.ports),
+            steps=tuple(cls.step for cls in self._stages),
+            damped=self.modes.damped,
+            barrier="log" if self._barrier == "none" else self._barrier,
+            sampled_law=self._sampled_law,
+        )
+        return compiled_kernel(composition) if compile else composition.bind(), self._stages
+
+    def modal_record(self, trial: int = 0) -> Any:
+        """The record of all modes as a trial begins that starts from the initial state."""
+        q, rate = self.start
+        return modal_record(self.modes, self.motion, self.step.dt, q + self._misplaced(trial), rate)
+
+    def _misplaced(self, trial: int) -> Array:
+        """How far a reset misses the initial state, (modes,): the ports off at random, the structure bent to them."""
+        task, modes = self.scenario.task, self.modes
+        spread = np.array([task.reset_error.get(name, 0.0) for name in self.scenario.ports])
+        if not np.any(spread):
+            return np.zeros(modes.count)
+        off = spread * np.random.default_rng([task.seed, trial]).standard_normal(len(spread))
+        lowest = modes.omega[modes.omega > 0][0]
+        soft = modes.b / (modes.omega**2 + lowest**2)
+        return np.asarray(soft.T @ np.linalg.solve(modes.b @ soft.T, off))
+
+    def check_start(self, scenario: Scenario) -> None:
+        """A barrier needs the tip inside it, as the modes have it: few modes can put it beyond a shape that was inside."""
+        if scenario.controller.barrier_shape == "none":
+            return
+        low, high = (limits[0] for limits in scenario.limits(0))
+        for p, y in enumerate(self.modes.b @ self.start[0]):
+            middle, room = (low[p] + high[p]) / 2, (high[p] - low[p]) / 2
+            if not abs(y - middle) < (1 - 1e-9) * room:
+                where = f"|y| < {high[p]:g}" if middle == 0 else f"{low[p]:g} < y < {high[p]:g}"
+                must = f"be larger, or the constraint wider: they start {scenario.ports[p]} at {y:.9g}, outside {where}"
+                raise wrong("numerics.modes", must, self.modes.count)
+
+    def inputs(self, scenario: Scenario, trial: int, law: PortLaw) -> Inputs:
+        """What the kernel needs to know of a trial; a law that acts through samples gives nothing step by step."""
+        disturbance, load, drift = self.shaking(trial)
+        reference, (low, high) = scenario.reference(trial), scenario.limits(trial)
+        if np.any(reference):
+            drift = drift - np.diff(reference, axis=0) / self.step.dt
+        low, high = (np.ascontiguousarray((limit - reference)[1:]) for limit in (low, high))
+        steps = np.zeros_like(disturbance)
+        feedforward, coulomb = (steps, steps) if scenario.sampled else (law.feedforward, law.coulomb)
+        feedforward, coulomb, drift = map(np.ascontiguousarray, (feedforward, coulomb, drift))
+        return Inputs(feedforward, coulomb, disturbance, load, drift, low, high, reference[0].copy())
+
+    def shaking(self, trial: int) -> tuple[Array, Array, Array]:
+        """Disturbance (steps, ports), modal load (steps, modes), drift of the ports under both, (steps, ports) in m/s; kept
+        while it fits."""
+        source = self.scenario.disturbance
+        key = source.same_as(trial)
+        if key not in self._loads:
+            disturbance = np.zeros((len(self.midpoints), len(self.site.ports)))
+            load = aligned(np.zeros((len(self.midpoints), self.modes.count)))
+            for part in source.parts:
+                at_ports = part.at_ports(key, self.midpoints, self.site)
+                if at_ports is not None:
+                    disturbance += at_ports
+                self._add_load(load, part, key)
+            drift = load @ (self.modes.b * self.motion.psi / self.step.dt).T + disturbance @ self.step.g
+            if (len(self._loads) + 1) * load.nbytes > LOADS_KEPT:
+                self._loads.clear()
+            self._loads[key] = disturbance, load, drift
+        return self._loads[key]
+
+    def _add_load(self, load: Array, part: Disturbance, trial: int) -> None:
+        """Add to the modal load (steps, modes) what one part of the disturbance puts along the structure."""
+        modes, t = self.modes, self.midpoints
+        if part.load_field is not None:
+            x, matrix = modes.load_rule(part.load_field, part.content(trial, self.site).load_wave)
+            for block in np.array_split(np.arange(len(t)), max(1, len(t) // LOAD_BLOCK)):
+                load[block] += part.load(trial, t[block], x, self.site) @ matrix
+        if part.point_field is not None:
+            place, force = part.point_load(trial, t, self.site)
+            load += force[:, None] * modes.field(part.point_field).shapes(place)
+        acceleration = part.base_acceleration(trial, t, self.site)
+        if acceleration is not None:
+            if modes.translation is None:
+                raise ArgumentError("Argument `disturbance` shakes the base, but this plant cannot be shaken there.")
+            load -= np.outer(acceleration, modes.translation)
+
+
+def output_points(scenario: Scenario) -> Array:
+    """Where along the structure fields are written down [m]."""
+    return np.linspace(0, scenario.plant.span, scenario.output.points)

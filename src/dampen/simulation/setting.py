@@ -1,0 +1,100 @@
+"""What a controller is told of its task, trial by trial."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import replace
+
+import numpy as np
+
+from dampen.controllers.base import PortLaw, Setting
+from dampen.simulation.bench import Bench
+from dampen.simulation.digital import Sampler
+from dampen.simulation.digital_side import idle, prepare, sampler_of
+from dampen.simulation.kernel import Inputs
+from dampen.simulation.records import empty_record, modal_record, port_records
+from dampen.simulation.scenario import Scenario
+
+Array = np.ndarray
+
+
+def setting_of(scenario: Scenario, bench: Bench | None = None) -> Setting:
+    """The setting of trial 0; without a bench, model and response have to be found out first where they are asked for."""
+    (steps, dt), unlimited = scenario.law_grid, np.empty((0, len(scenario.ports)))
+    found: list[Bench] = [bench] if bench else []
+
+    def the_bench() -> Bench:
+        if not found:
+            found.append(Bench(scenario))
+        return found[0]
+
+    setting = Setting(
+        ports=scenario.plant.ports,
+        steps=steps,
+        dt=dt,
+        length=scenario.plant.span,
+        reference=unlimited,
+        low=unlimited,
+        high=unlimited,
+        bounds=scenario.bounds,
+        sampled=scenario.sampled,
+        delay=scenario.sampling.delay if scenario.sampled else 0.0,
+        model=lambda: the_bench().modes,
+        response=once(lambda: response(scenario, the_bench())),
+    )
+    return of_trial(setting, scenario, 0)
+
+
+def of_trial(setting: Setting, scenario: Scenario, trial: int) -> Setting:
+    """The setting with the reference and the limits of another trial."""
+    t = np.arange(setting.steps + 1) * setting.dt
+    reference = scenario.task.references(scenario.ports, t, trial)
+    low, high = scenario.task.limits(scenario.ports, t, trial)
+    return replace(setting, reference=reference, low=low - reference, high=high - reference)
+
+
+def once(compute: Callable[[], Array]) -> Callable[[], Array]:
+    """`compute`, whose value is kept."""
+    kept: list[Array] = []
+
+    def get() -> Array:
+        if not kept:
+            kept.append(compute())
+        return kept[0]
+
+    return get
+
+
+def response(scenario: Scenario, bench: Bench) -> Array:
+    """(intervals, ports out, ports in): tracking errors after a unit of feedforward in the law's first interval.
+
+    The structure from rest, nothing shaking it, under the law's own damping and stiffness, every chain of stages replaced by
+    its slope in full motion: the linear experiment, run by the kernel itself.
+    """
+    controller, setting = scenario.controller, setting_of(scenario, bench=bench)
+    law = controller.law(controller.begin(setting), setting)
+    kernel, classes = bench.kernel(scenario)
+    ports, n = len(setting.ports), scenario.steps
+    gain = port_records([scenario.chain(p) for p in range(ports)], bench.step, classes)[0].gain
+    each = round(setting.dt / scenario.numerics.step)
+    answers = np.zeros((setting.steps, ports, ports))
+    for r in range(ports):
+        records, stages = port_records([()] * ports, bench.step, classes)
+        pulse = np.zeros((setting.steps, ports))
+        pulse[0, r] = gain[r]
+        records.damping, records.stiffness = gain * law.damping, gain * law.stiffness
+        scaled = PortLaw(pulse, damping=gain * law.damping, stiffness=gain * law.stiffness)
+        sampler: Sampler = idle(ports)
+        if scenario.sampled:
+            sampler = prepare(sampler_of(scenario, setting, noisy=False), scenario, setting, scaled, 0)
+            records.damping, records.stiffness, records.soft = 0.0, 0.0, 0.0
+        still, free = np.zeros((n, ports)), np.full((n, ports), np.inf)
+        load = np.zeros((n, bench.modes.count))
+        pushed = np.repeat(pulse, each, axis=0) if not scenario.sampled else still
+        inputs = Inputs(np.ascontiguousarray(pushed), still, still, load, still, -free, free, np.zeros(ports))
+        rest = np.zeros(bench.modes.count)
+        modal = modal_record(bench.modes, bench.motion, bench.step.dt, rest, rest)
+        record = empty_record(n, ports, bench.modes.count, n)
+        kernel(modal, bench.step, inputs, sampler, records, stages, n, record)
+        answers[:, :, r] = record.y[each::each]
+    return answers
