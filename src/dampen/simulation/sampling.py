@@ -39,7 +39,7 @@ class Sampling(Component):
     compliance: Annotated[
         dict[str, float],
         Gt(0),
-        Doc("by port, nominal compliance [m/(s N), rad/(s N m)]; left out: the model's own over a period"),
+        Doc("by port, nominal compliance [m/(s N), rad/(s N m)]; left out: from the model"),
     ] = field(default_factory=dict)
     barrier_edge: Annotated[float, Gt(0), Lt(1), Doc("share of the constraint at which the barrier's command ends")] = 0.99
     command_limit: Annotated[dict[str, float], Gt(0), Doc("by port, largest command [N, N m]; left out: none")] = field(
