@@ -12,21 +12,45 @@ from dampen.component import ArgumentError, Component, suggestion
 from dampen.controllers.base import Controller
 from dampen.controllers.dual_loop_ailc import DualLoopAILC
 from dampen.controllers.none import NoControl
+from dampen.disturbances.band_noise import BandNoise
 from dampen.disturbances.base import Disturbance
+from dampen.disturbances.base_shaking import BaseShaking
+from dampen.disturbances.constant_load import ConstantLoad
+from dampen.disturbances.function import FunctionDisturbance
 from dampen.disturbances.harmonic_families import HarmonicFamilies
+from dampen.disturbances.harmonics import Harmonics
+from dampen.disturbances.impulse import Impulse
+from dampen.disturbances.moving_load import MovingLoad
 from dampen.disturbances.none import NoDisturbance
+from dampen.disturbances.recorded import Recorded
+from dampen.disturbances.sum import Sum
 from dampen.own import own_object
 from dampen.plants.base import Plant
 from dampen.plants.timoshenko import TimoshenkoBeam
+from dampen.references.base import Reference
+from dampen.references.hold import Hold
+from dampen.references.minimum_jerk import MinimumJerk
+from dampen.references.recorded_reference import RecordedReference
+from dampen.references.sinusoid import Sinusoid
 from dampen.stage import Stage
 
 KINDS: dict[str, tuple[type[Component], ...]] = {
     "plant": (TimoshenkoBeam,),
     "actuator": (Ideal, Backlash),
-    "disturbance": (NoDisturbance, HarmonicFamilies),
+    "disturbance": (
+        NoDisturbance, HarmonicFamilies, Harmonics, BandNoise, Impulse, ConstantLoad, MovingLoad, BaseShaking, Recorded,
+        FunctionDisturbance, Sum,
+    ),
+    "reference": (Hold, MinimumJerk, Sinusoid, RecordedReference),
     "controller": (NoControl, DualLoopAILC),
+}  # fmt: skip
+FAMILIES: dict[str, type[Component]] = {
+    "plant": Plant,
+    "actuator": Stage,
+    "disturbance": Disturbance,
+    "reference": Reference,
+    "controller": Controller,
 }
-FAMILIES: dict[str, type[Component]] = {"plant": Plant, "actuator": Stage, "disturbance": Disturbance, "controller": Controller}
 
 
 def find_kind(table: str, kind: object, where: str, folder: Path) -> type[Component]:
@@ -52,6 +76,6 @@ def own_class(table: str, kind: str, where: str, folder: Path) -> type[Component
     if not dataclasses.is_dataclass(cls) or "__dataclass_params__" not in cls.__dict__:
         raise ArgumentError(f"Argument `{where}.kind` must name a frozen dataclass, but {kind!r} lacks @dataclass(frozen=True).")
     if inspect.isabstract(cls):
-        missing = ", ".join(sorted(cls.__abstractmethods__))
+        missing = ", ".join(sorted(cls.__abstractmethods__))  # type: ignore[attr-defined]
         raise ArgumentError(f"Argument `{where}.kind` must name a complete class, but {kind!r} does not define {missing}.")
     return cls

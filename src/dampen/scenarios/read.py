@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 import tomllib
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import fields
 from importlib import resources
 from pathlib import Path
@@ -13,6 +13,7 @@ from typing import Any, get_args, get_origin, get_type_hints
 from dampen.component import ArgumentError, Component, InFile, shown, split_hint, suggestion, wrong
 from dampen.controllers.none import NoControl
 from dampen.disturbances.none import NoDisturbance
+from dampen.own import own_function
 from dampen.scenarios.kinds import FAMILIES, KINDS, find_kind
 from dampen.simulation.scenario import Numerics, Output, Scenario, Task
 from dampen.stage import Stage
@@ -176,13 +177,16 @@ class Builder:
             raise error.under(where) from None
 
     def value(self, hint: Any, value: Any, where: str) -> Any:
-        """A value as its type hint wants it: tables become components, also inside lists and tables; files get their folder."""
+        """A value as its type hint wants it: tables become components, also inside lists and tables; names of functions become
+        functions; files get their folder."""
         base, extras = split_hint(hint)
         inner, kinds = get_args(base), {family: name for name, family in reversed(FAMILIES.items())}
         if isinstance(base, type) and issubclass(base, Component):
             return self.of_kind(kinds[base], value, where) if base in kinds else self.component(base, value, where)
         if any(isinstance(extra, InFile) for extra in extras) and isinstance(value, str) and value:
             return str((self.folder / value).resolve())
+        if isinstance(value, str) and any(get_origin(option) is Callable for option in inner):
+            return own_function(value, where, self.folder)
         if get_origin(base) is tuple and isinstance(value, list) and inner:
             return tuple(self.value(inner[0], v, f"{where}[{i}]") for i, v in enumerate(value))
         if get_origin(base) is dict and isinstance(value, dict):

@@ -85,6 +85,7 @@ class Scenario(Component):
             for key in given:
                 if key not in known:
                     raise ArgumentError(f"Argument `{table}.{key}` is not a port of this plant; known here: {', '.join(known)}.")
+        self._check_disturbance(names)
         if self.numerics.discretisation == "finite-difference" and not self.plant.has_grid:
             raise wrong("numerics.discretisation", 'be "spectral" for this plant', self.numerics.discretisation)
         ratio = self.task.trial_duration / self.numerics.step
@@ -99,6 +100,19 @@ class Scenario(Component):
             raise wrong("output.every", f"divide the {self.steps} steps of a trial", self.output.every)
         if self.controller.uses_barrier:
             self._check_barrier(names)
+
+    def _check_disturbance(self, names: list[str]) -> None:
+        for argument, port in self.disturbance.ports_named().items():
+            if port not in names:
+                raise ArgumentError(
+                    f"Argument `disturbance.{argument}` is not a port of this plant; known here: {', '.join(names)}."
+                )
+        fields = [name for name, _ in self.plant.fields]
+        loaded = [name for part in self.disturbance.parts for name in (part.load_field, part.point_field) if name is not None]
+        for name in loaded:
+            if name not in fields:
+                known = f"known here: {', '.join(fields)}" if fields else "it has none"
+                raise ArgumentError(f"Argument `disturbance` loads `{name}`, which is not a field of this plant; {known}.")
 
     def _check_barrier(self, names: list[str]) -> None:
         start = self.plant.initial_ports()
