@@ -9,11 +9,9 @@ from typing_extensions import Doc
 from dampen.disturbances.base import Array, Disturbance
 from dampen.port import Site
 
-_REPEAT = '"repeat": the same in every trial; "continue": its clock runs on from trial to trial'
+_REPEAT = '"repeat": the same in every trial; "continue": the clock runs on from trial to trial'
 Trials = Annotated[Literal["repeat", "continue"], Doc(_REPEAT)]
-NoiseTrials = Annotated[
-    Literal["repeat", "continue", "random"], Doc(f'{_REPEAT}; "random": the noise is drawn afresh for every trial')
-]
+NoiseTrials = Annotated[Literal["repeat", "continue", "random"], Doc(f'{_REPEAT}; "random": fresh noise in every trial')]
 
 
 class Clocked(Disturbance):

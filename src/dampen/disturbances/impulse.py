@@ -21,7 +21,7 @@ class Impulse(Disturbance):
 
         F(t) = I pi / (2 d) sin(pi (t - t_0) / d)    for t_0 < t < t_0 + d,    so that int F dt = I
 
-    Sampled in the middle of n steps a pulse, its impulse is met to within about 0.4/n^2 of it.
+    Sampled in the middle of n steps a pulse, its impulse is met to within 1/n^2 of it.
     """
 
     kind: ClassVar[str] = "impulse"

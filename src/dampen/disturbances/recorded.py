@@ -49,7 +49,7 @@ class Recorded(Clocked):
     def recording(self) -> Recording:
         """The record, read once. Raises ArgumentError where file, content or columns are not what they should be."""
         wanted = [("time", self.time), *((f"columns.{port}", name) for port, name in self.columns.items())]
-        return read_recording(self.file, self.sha256, (*wanted, *([("base", self.base)] if self.base else [])))
+        return read_recording(self.file, self.sha256, [*wanted, *([("base", self.base)] if self.base else [])])
 
     def ports_named(self) -> Mapping[str, str]:
         return in_dict("columns", self.columns)

@@ -43,7 +43,7 @@ class RecordedReference(Reference):
 
     def recording(self) -> Recording:
         """The record, read once. Raises ArgumentError where file, content or column are not what they should be."""
-        return read_recording(self.file, self.sha256, (("time", self.time), ("column", self.column)))
+        return read_recording(self.file, self.sha256, [("time", self.time), ("column", self.column)])
 
     def sample(self, t: Array, trial: int) -> Array:
         return self.scale * self.recording().at(self.column, t, self.outside)

@@ -10,7 +10,7 @@ from importlib import resources
 from pathlib import Path
 from typing import Any, get_args, get_origin, get_type_hints
 
-from dampen.component import ArgumentError, Component, InFile, shown, split_hint, suggestion, wrong
+from dampen.component import ArgumentError, Component, InFile, parameters, shown, split_hint, suggestion, wrong
 from dampen.controllers.none import NoControl
 from dampen.disturbances.none import NoDisturbance
 from dampen.own import own_function
@@ -163,6 +163,8 @@ class Builder:
         values, hints = _mapping(values, where), get_type_hints(cls, include_extras=True)
         names = [f.name for f in fields(cls)]
         faults = [f"Argument `{where}.{key}` is not known{suggestion(key, names)}" for key in values if key not in names]
+        missing = [p for p in parameters(cls) if p.required and p.name not in values]
+        faults += [f"Argument `{where}.{p.name}` must be given{f': {p.doc}' if p.doc else ''}." for p in missing]
         ready = {}
         for key in (key for key in values if key in names):
             try:
