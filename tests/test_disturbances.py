@@ -217,12 +217,12 @@ def test_a_record_is_the_signal_it_was_written_from(tmp_path: Path, name: str) -
 
 
 def test_the_frequency_of_a_record_is_that_of_its_signal_or_little_more() -> None:
-    """More by 20 lines at most: what the ends of a cut sinusoid spread."""
+    """More by 50 over the length at most: what the ends of a cut sinusoid spread."""
     t = np.linspace(0, 20, 20001)
     for f in (1.0, 7.3, 60.0):
         for phase in (0.0, 1.0):
             wave = Recording(t, {"a": np.cos(2 * np.pi * f * t + phase) + 0.1 * t + 5})
-            assert f * 0.99 <= wave.highest_frequency("a") <= f + 20 / t[-1]
+            assert f * 0.99 <= wave.highest_frequency("a") <= f + 50 / t[-1]
     assert Recording(t, {"a": 3 * t + 1}).highest_frequency("a") == 0
     noise = dampen.BandNoise({"tip_w": 1.0}, 1, 20, trials="continue").at_ports(0, t, SITE)[:, 0]
     assert Recording(t, {"a": noise}).highest_frequency("a") == pytest.approx(20, rel=0.02)

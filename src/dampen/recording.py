@@ -38,7 +38,7 @@ class Recording:
         """Frequency [Hz] below which 99.9 % of a column's variance lies, about the straight line between its ends.
 
         The record is followed by its mirror image, backwards and upside down: without a jump or a kink where they meet, little is
-        mistaken for high frequencies. A sinusoid that fills the record comes out up to 20/length too high, never too low.
+        mistaken for high frequencies. A sinusoid that fills the record comes out up to 50/length too high, never too low.
         """
         count = min(FINEST, 1 + int(np.ceil((self.time[-1] - self.time[0]) / np.diff(self.time).min())))
         values = np.interp(np.linspace(self.time[0], self.time[-1], count), self.time, self.columns[column])
