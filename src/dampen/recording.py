@@ -16,6 +16,7 @@ from dampen.component import ArgumentError, suggestion
 Array = np.ndarray
 Outside = Literal["zero", "hold", "repeat"]
 VARIANCE = 0.999
+STRAIGHT = 1e-9  # of a column's size: what round-off makes of a straight line
 FINEST = 2**20
 
 
@@ -42,10 +43,11 @@ class Recording:
         """
         count = min(FINEST, 1 + int(np.ceil((self.time[-1] - self.time[0]) / np.diff(self.time).min())))
         values = np.interp(np.linspace(self.time[0], self.time[-1], count), self.time, self.columns[column])
+        scale = np.abs(values).max()
         values = values - np.linspace(values[0], values[-1], count)
-        power = np.cumsum(np.abs(np.fft.rfft(np.concatenate([values, -values[-2:0:-1]]))) ** 2)
-        if power[-1] == 0:
+        if np.abs(values).max() <= STRAIGHT * scale:
             return 0.0
+        power = np.cumsum(np.abs(np.fft.rfft(np.concatenate([values, -values[-2:0:-1]]))) ** 2)
         return float(np.searchsorted(power, VARIANCE * power[-1]) / (2 * (self.time[-1] - self.time[0])))
 
 
