@@ -11,7 +11,7 @@ from __future__ import annotations
 
 import dataclasses
 import difflib
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import MISSING, dataclass, fields
 from functools import cache
 from types import UnionType
@@ -56,6 +56,12 @@ class ArgumentError(ValueError):
 def wrong(name: str, must: str, value: object) -> ArgumentError:
     """The one form that a complaint about an argument takes."""
     return ArgumentError(f"Argument `{name}` must {must}, but is {shown(value)}.")
+
+
+def own_name(thing: Any) -> str:
+    """The name "module:name" of a class or function; only what stands at the top of a module is found again by it."""
+    named = thing if hasattr(thing, "__qualname__") else type(thing)
+    return f"{named.__module__}:{named.__qualname__}"
 
 
 def shown(value: object, width: int = 60) -> str:
@@ -204,6 +210,8 @@ def _type_name(base: Any) -> str:
         return f"table of {_type_name(get_args(base)[1])}s"
     if get_origin(base) is Annotated:
         return _type_name(get_args(base)[0])
+    if get_origin(base) is Callable:
+        return "function"
     options = [a for a in get_args(base) if a is not type(None)]
     if options and all(isinstance(o, str) for o in options):
         return " | ".join(f'"{o}"' for o in options)
@@ -211,9 +219,13 @@ def _type_name(base: Any) -> str:
 
 
 def _plain(value: Any) -> Any:
-    """Lists become tuples and NumPy scalars Python numbers, so that either may be given."""
+    """Lists become tuples, NumPy's numbers and rows Python's, in tables too, so that either may be given."""
     if isinstance(value, list | tuple):
         return tuple(_plain(v) for v in value)
+    if isinstance(value, dict):
+        return {key: _plain(v) for key, v in value.items()}
+    if type(value).__module__ == "numpy" and getattr(value, "ndim", 0) > 0:
+        return _plain(value.tolist())
     return value.item() if type(value).__module__ == "numpy" and getattr(value, "ndim", 1) == 0 else value
 
 

@@ -5,10 +5,11 @@ from __future__ import annotations
 import importlib
 import sys
 import traceback
+from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
-from dampen.component import ArgumentError
+from dampen.component import ArgumentError, wrong
 
 
 def own_object(name: str, argument: str, folder: Path | None = None) -> Any:
@@ -28,6 +29,14 @@ def own_object(name: str, argument: str, folder: Path | None = None) -> Any:
     finally:
         for place in places:
             sys.path.remove(place)
+    return found
+
+
+def own_function(name: str, argument: str, folder: Path | None = None) -> Callable[..., Any]:
+    """The function that "module:name" means; places and errors as with `own_object`."""
+    found = own_object(name, argument, folder) if ":" in name else None
+    if not callable(found):
+        raise wrong(argument, 'name a function as "module:name"', name)
     return found
 
 

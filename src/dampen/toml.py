@@ -7,7 +7,7 @@ from collections.abc import Mapping
 from dataclasses import fields
 from typing import Any
 
-from dampen.component import Component, parameters
+from dampen.component import Component, own_name, parameters
 
 
 def to_toml(scenario: Component) -> str:
@@ -37,6 +37,8 @@ def literal(value: Any) -> str:
         return str(value).lower()
     if isinstance(value, str):
         return json.dumps(value, ensure_ascii=False)
+    if callable(value) and not isinstance(value, Component):
+        return literal(own_name(value))
     if isinstance(value, tuple | list):
         return "[" + ", ".join(literal(v) for v in value) + "]"
     if isinstance(value, Component):
@@ -52,7 +54,7 @@ def kind_of(component: Component) -> str:
     cls = type(component)
     if not hasattr(cls, "kind") or cls.__module__.startswith("dampen."):
         return cls.kind
-    return f"{cls.__module__}:{cls.__qualname__}"
+    return own_name(cls)
 
 
 def _table(name: str, component: Component) -> list[str]:

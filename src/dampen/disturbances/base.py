@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 
 import numpy as np
@@ -37,6 +38,10 @@ class Disturbance(Component):
         """What it is the sum of."""
         return (self,)
 
+    def ports_named(self) -> Mapping[str, str]:
+        """The ports that its parameters name, each by its place there, such as "force.tip_w": the plant must have them."""
+        return {}
+
     def content(self, trial: int, site: Site) -> Content:
         """What has to be resolved in this trial; by default nothing at ports, and waves of a sixteenth of the structure."""
         return Content(load_wave=site.span / 16 if self.load_field else np.inf)
@@ -70,3 +75,13 @@ class Disturbance(Component):
     def same_as(self, trial: int) -> int:
         """The first trial in which the disturbance was what it is in `trial`, so that it need not be sampled again."""
         return trial
+
+
+def in_dict(parameter: str, ports: Iterable[str]) -> dict[str, str]:
+    """What `ports_named` says of a parameter that is a table with ports as keys."""
+    return {f"{parameter}.{port}": port for port in ports}
+
+
+def columns(site: Site, t: Array, forces: Mapping[str, Array]) -> Array:
+    """(times, ports) forces at all ports, from the (times,) forces of those that have one."""
+    return np.column_stack([forces.get(port.name, np.zeros(len(t))) for port in site.ports])

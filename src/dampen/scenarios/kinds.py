@@ -18,19 +18,46 @@ from dampen.controllers.none import NoControl
 from dampen.controllers.norm_optimal_ilc import NormOptimalILC
 from dampen.controllers.open_loop import OpenLoop
 from dampen.controllers.p_type_ilc import PDTypeILC, PTypeILC
+from dampen.disturbances.band_noise import BandNoise
 from dampen.disturbances.base import Disturbance
+from dampen.disturbances.base_shaking import BaseShaking
+from dampen.disturbances.constant_load import ConstantLoad
+from dampen.disturbances.function import FunctionDisturbance
 from dampen.disturbances.harmonic_families import HarmonicFamilies
+from dampen.disturbances.harmonics import Harmonics
+from dampen.disturbances.impulse import Impulse
+from dampen.disturbances.moving_load import MovingLoad
 from dampen.disturbances.none import NoDisturbance
+from dampen.disturbances.recorded import Recorded
+from dampen.disturbances.sum import Sum
 from dampen.own import own_object
 from dampen.plants.base import Plant
 from dampen.plants.timoshenko import TimoshenkoBeam
 from dampen.signals.base import Signal
+from dampen.signals.decay import Decay
+from dampen.signals.hold import Hold
+from dampen.signals.minimum_jerk import MinimumJerk
+from dampen.signals.recorded import RecordedSignal
+from dampen.signals.sinusoid import Sinusoid
 from dampen.stage import Stage
 
 KINDS: dict[str, tuple[type[Component], ...]] = {
     "plant": (TimoshenkoBeam,),
     "actuator": (Ideal, Backlash),
-    "disturbance": (NoDisturbance, HarmonicFamilies),
+    "disturbance": (
+        NoDisturbance,
+        HarmonicFamilies,
+        Harmonics,
+        BandNoise,
+        Impulse,
+        ConstantLoad,
+        MovingLoad,
+        BaseShaking,
+        Recorded,
+        FunctionDisturbance,
+        Sum,
+    ),
+    "signal": (Hold, MinimumJerk, Sinusoid, Decay, RecordedSignal),
     "controller": (
         NoControl,
         OpenLoop,

@@ -4,15 +4,16 @@ from __future__ import annotations
 
 import re
 import tomllib
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import fields
 from importlib import resources
 from pathlib import Path
 from typing import Any, get_args, get_origin, get_type_hints
 
-from dampen.component import ArgumentError, Component, InFile, shown, split_hint, suggestion, wrong
+from dampen.component import ArgumentError, Component, InFile, parameters, shown, split_hint, suggestion, wrong
 from dampen.controllers.none import NoControl
 from dampen.disturbances.none import NoDisturbance
+from dampen.own import own_function
 from dampen.scenarios.kinds import FAMILIES, KINDS, find_kind
 from dampen.simulation.sampling import Sampling
 from dampen.simulation.scenario import Numerics, Output, Scenario
@@ -165,6 +166,8 @@ class Builder:
         values, hints = _mapping(values, where), get_type_hints(cls, include_extras=True)
         names = [f.name for f in fields(cls)]
         faults = [f"Argument `{where}.{key}` is not known{suggestion(key, names)}" for key in values if key not in names]
+        missing = [p for p in parameters(cls) if p.required and p.name not in values]
+        faults += [f"Argument `{where}.{p.name}` must be given{f': {p.doc}' if p.doc else ''}." for p in missing]
         ready = {}
         for key in (key for key in values if key in names):
             try:
@@ -179,13 +182,16 @@ class Builder:
             raise error.under(where) from None
 
     def value(self, hint: Any, value: Any, where: str) -> Any:
-        """A value as its type hint wants it: tables become components, also inside lists and tables; files get their folder."""
+        """A value as its type hint wants it: tables become components, also inside lists and tables; names of functions become
+        functions; files get their folder."""
         base, extras = split_hint(hint)
         inner, kinds = get_args(base), {family: name for name, family in reversed(FAMILIES.items())}
         if isinstance(base, type) and issubclass(base, Component):
             return self.of_kind(kinds[base], value, where) if base in kinds else self.component(base, value, where)
         if any(isinstance(extra, InFile) for extra in extras) and isinstance(value, str) and value:
             return str((self.folder / value).resolve())
+        if isinstance(value, str) and any(get_origin(option) is Callable for option in inner):
+            return own_function(value, where, self.folder)
         if get_origin(base) is tuple and isinstance(value, list) and inner:
             return tuple(self.value(inner[0], v, f"{where}[{i}]") for i, v in enumerate(value))
         if get_origin(base) is dict and isinstance(value, dict):

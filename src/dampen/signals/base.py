@@ -17,3 +17,9 @@ class Signal(Component):
     @abstractmethod
     def sample(self, t: Array, trial: int) -> Array:
         """(times,) values at the times `t` of a trial."""
+
+
+def smooth_step(s: Array) -> Array:
+    """10 s^3 - 15 s^4 + 6 s^5 from 0 to 1, held at 0 before and at 1 after: rate and acceleration are 0 at both ends."""
+    s = np.clip(s, 0.0, 1.0)
+    return np.asarray(s**3 * (10 + s * (6 * s - 15)))

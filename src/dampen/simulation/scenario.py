@@ -75,6 +75,7 @@ class Scenario(Component):
         if not NAME.fullmatch(self.name):
             raise wrong("name", "be 1 to 60 letters, digits, dots, dashes or underscores, since it names a folder", self.name)
         self._check_ports()
+        self._check_disturbance()
         self._check_grids()
         self._check_law()
 
@@ -93,6 +94,18 @@ class Scenario(Component):
             for key in keys:
                 if key not in known:
                     raise ArgumentError(f"Argument `{table}.{key}` is not a port of this plant; known here: {', '.join(known)}.")
+
+    def _check_disturbance(self) -> None:
+        for argument, port in self.disturbance.ports_named().items():
+            if port not in self.ports:
+                known = ", ".join(self.ports)
+                raise ArgumentError(f"Argument `disturbance.{argument}` is not a port of this plant; known here: {known}.")
+        fields = [name for name, _ in self.plant.fields]
+        loaded = [name for part in self.disturbance.parts for name in (part.load_field, part.point_field) if name is not None]
+        for name in loaded:
+            if name not in fields:
+                known = f"known here: {', '.join(fields)}" if fields else "it has none"
+                raise ArgumentError(f"Argument `disturbance` loads `{name}`, which is not a field of this plant; {known}.")
 
     def _check_grids(self) -> None:
         numerics, duration = self.numerics, self.task.trial_duration
