@@ -31,6 +31,8 @@ from dampen.disturbances.moving_load import MovingLoad as MovingLoad
 from dampen.disturbances.none import NoDisturbance as NoDisturbance
 from dampen.disturbances.recorded import Recorded as Recorded
 from dampen.disturbances.sum import Sum as Sum
+from dampen.plants.base import Damping as Damping
+from dampen.plants.base import Field as Field
 from dampen.plants.base import Modes as Modes
 from dampen.plants.base import Plant as Plant
 from dampen.plants.timoshenko import BeamState as BeamState
@@ -54,4 +56,5 @@ from dampen.simulation.scenario import Scenario as Scenario
 from dampen.simulation.task import Constraint as Constraint
 from dampen.simulation.task import Task as Task
 from dampen.simulation.trials import simulate as simulate
+from dampen.stage import Stage as Stage
 from dampen.version import version as version

@@ -11,6 +11,7 @@ from __future__ import annotations
 
 import dataclasses
 import difflib
+from abc import ABC
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import MISSING, dataclass, fields
 from functools import cache
@@ -91,7 +92,7 @@ class Parameter:
 
 
 @dataclass(frozen=True)
-class Component:
+class Component(ABC):  # noqa: B024  (families below have abstract methods)
     """Base of everything that a scenario is made of: checked once, when it is made.
 
     `kind` is the name under which scenario files know the class.
@@ -105,7 +106,7 @@ class Component:
             object.__setattr__(self, name, value)
         self.check()
 
-    def check(self) -> None:
+    def check(self) -> None:  # noqa: B027  (most have no such rule)
         """Raise :class:`ArgumentError` where parameters do not fit one another; override where there is such a rule."""
 
     @classmethod

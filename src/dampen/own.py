@@ -5,7 +5,8 @@ from __future__ import annotations
 import importlib
 import sys
 import traceback
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
 from pathlib import Path
 from typing import Any
 
@@ -46,3 +47,20 @@ def complaint(error: BaseException) -> str:
     frames = [f for f in traceback.extract_tb(error.__traceback__) if here not in f.filename and "importlib" not in f.filename]
     at = f" ({Path(frames[-1].filename).name}, line {frames[-1].lineno})" if frames else ""
     return f"{type(error).__name__}: {error}{at}"
+
+
+@contextmanager
+def blame(component: object, method: str) -> Iterator[None]:
+    """Turn any error that the user's own class raises in here into one line with class, method and line of code.
+
+    Errors of shipped classes pass: they are faults of the package.
+    """
+    try:
+        yield
+    except ArgumentError:
+        raise
+    except Exception as error:
+        cls = component if isinstance(component, type) else type(component)
+        if cls.__module__.startswith("dampen."):
+            raise
+        raise ArgumentError(f"{cls.__module__}:{cls.__qualname__}.{method} failed: {complaint(error)}.") from error

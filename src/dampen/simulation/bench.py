@@ -12,11 +12,13 @@ from dampen.component import ArgumentError, wrong
 from dampen.controllers.base import PortLaw, SampledFeedback
 from dampen.disturbances.base import Disturbance
 from dampen.modal import propagator
+from dampen.own import blame
 from dampen.plants.base import Modes
 from dampen.port import Site
 from dampen.simulation.compose import Composition, compiled_kernel
 from dampen.simulation.digital_law import port_law
 from dampen.simulation.kernel import Inputs
+from dampen.simulation.pieces import check_stages, modes_of
 from dampen.simulation.records import aligned, exact_step, modal_record
 from dampen.simulation.resolution import check_resolution
 from dampen.simulation.scenario import Scenario
@@ -38,12 +40,13 @@ class Bench:
         self.scenario = scenario
         self.site = Site(plant.ports, plant.span, scenario.task.trial_duration)
         on_grid = numerics.discretisation == "finite-difference"
-        self.modes: Modes = plant.modes(numerics.modes, numerics.points) if on_grid else plant.modes(numerics.modes)
+        self.modes: Modes = modes_of(plant, numerics.modes, numerics.points if on_grid else None)
         self.motion = propagator(self.modes, numerics.step)
         self.step = exact_step(self.modes, self.motion, numerics.step)
         self.midpoints = (np.arange(scenario.steps) + 0.5) * numerics.step
         self.x = output_points(scenario)
-        self.start = plant.initial_state(self.modes)
+        with blame(plant, "initial_state"):
+            self.start = plant.initial_state(self.modes)
         self.warnings = check_resolution(scenario, self.modes, self.site)
         self.check_start(scenario)
         self._stages: list[type[Stage]] = []
@@ -63,6 +66,7 @@ class Bench:
         """
         controller = scenario.controller
         for p in range(len(scenario.plant.ports)):
+            check_stages(scenario.chain(p), self.step.dt)
             self._stages += [cls for cls in map(type, scenario.chain(p)) if cls not in self._stages]
         if scenario.sampled:
             self._sampled_law = type(controller).step if isinstance(controller, SampledFeedback) else port_law
@@ -126,10 +130,12 @@ class Bench:
             disturbance = np.zeros((len(self.midpoints), len(self.site.ports)))
             load = aligned(np.zeros((len(self.midpoints), self.modes.count)))
             for part in source.parts:
-                at_ports = part.at_ports(key, self.midpoints, self.site)
-                if at_ports is not None:
-                    disturbance += at_ports
-                self._add_load(load, part, key)
+                with blame(part, "at_ports"):
+                    at_ports = part.at_ports(key, self.midpoints, self.site)
+                    if at_ports is not None:
+                        disturbance += at_ports
+                with blame(part, "load"):
+                    self._add_load(load, part, key)
             drift = load @ (self.modes.b * self.motion.psi / self.step.dt).T + disturbance @ self.step.g
             if (len(self._loads) + 1) * load.nbytes > LOADS_KEPT:
                 self._loads.clear()

@@ -12,11 +12,13 @@ import numpy as np
 
 from dampen.component import ArgumentError
 from dampen.controllers.base import PortLaw, Setting, Trial
+from dampen.own import blame
 from dampen.simulation.account import accounts
 from dampen.simulation.bench import Bench
 from dampen.simulation.digital import Sampler
 from dampen.simulation.digital_side import begin_again, idle, prepare, sampler_of
 from dampen.simulation.kernel import Record
+from dampen.simulation.pieces import check_memory, check_sampled
 from dampen.simulation.records import empty_record, port_records
 from dampen.simulation.result import Layout, Result
 from dampen.simulation.scenario import Scenario
@@ -104,14 +106,17 @@ def trials(scenario: Scenario, bench: Bench, compile: bool = True) -> Iterator[d
     chains = [scenario.chain(p) for p in range(len(scenario.ports))]
     setting, controller, every = setting_of(scenario, bench=bench), scenario.controller, scenario.output.every
     sampler = sampler_of(scenario, setting) if scenario.sampled else idle(len(chains))
-    memory = controller.begin(setting)
+    check_sampled(controller, setting)
+    with blame(controller, "begin"):
+        memory = controller.begin(setting)
     record = empty_record(scenario.steps, len(chains), bench.modes.count, every)
     for j in range(scenario.task.trials):
         if j == 0 or scenario.task.start == "reset":
             modal, (ports, stages) = bench.modal_record(j), port_records(chains, bench.step, classes)
             begin_again(sampler)
         setting = of_trial(setting, scenario, j)
-        law = controller.law(memory, setting)
+        with blame(controller, "law"):
+            law = controller.law(memory, setting)
         check_law(law, setting)
         check_stages(scenario, law)
         if scenario.sampled:
@@ -121,7 +126,9 @@ def trials(scenario: Scenario, bench: Bench, compile: bool = True) -> Iterator[d
             ports.damping, ports.stiffness, ports.barrier = law.damping, law.stiffness, law.barrier
         inputs = bench.inputs(scenario, j, law)
         done = kernel(modal, bench.step, inputs, sampler, ports, stages, every, record)
-        memory = controller.learn(memory, seen(j, scenario, record, sampler), setting)
+        with blame(controller, "learn"):
+            before, memory = memory, controller.learn(memory, seen(j, scenario, record, sampler), setting)
+        check_memory(controller, before, memory)
         yield {
             **variables(scenario, bench, j, record, inputs.disturbance),
             **accounts(scenario, j, record, inputs, ports),

@@ -1,0 +1,105 @@
+"""The user's own pieces, checked where they come in, so that a mistake is reported with its class and line."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable, Mapping
+from functools import cache
+from typing import Any
+
+import numpy as np
+
+from dampen.component import ArgumentError
+from dampen.controllers.base import Controller, SampledFeedback, Setting
+from dampen.own import blame
+from dampen.plants.base import Modes, Plant
+from dampen.simulation.compiled import compiled
+from dampen.simulation.digital import Sample
+from dampen.stage import Stage
+
+Array = np.ndarray
+PLACE = re.compile(r'File "(?P<file>[^"]+)", line (?P<line>\d+)')
+
+
+def own(cls: type) -> bool:
+    """Whether a class is the user's."""
+    return not cls.__module__.startswith("dampen.")
+
+
+def name_of(thing: object) -> str:
+    """A class, or an object's class, as "module:Class"."""
+    cls = thing if isinstance(thing, type) else type(thing)
+    return f"{cls.__module__}:{cls.__qualname__}"
+
+
+def modes_of(plant: Plant, count: int, grid: int | None) -> Modes:
+    """The plant's modes, their shapes checked."""
+    with blame(plant, "modes"):
+        modes = plant.modes(count) if grid is None else plant.modes(count, grid)
+    if not isinstance(modes, Modes):
+        raise ArgumentError(f"{name_of(plant)}.modes must return Modes, but returns {type(modes).__name__}.")
+    n, ports = np.size(modes.omega), len(plant.ports)
+    wanted = {"omega": (n,), "decay": (n,), "b": (ports, n)}
+    for name, shape in wanted.items():
+        value = np.asarray(getattr(modes, name))
+        if value.shape != shape or value.dtype.kind not in "fiu" or not np.all(np.isfinite(value)):
+            raise ArgumentError(f"{name_of(plant)}.modes must give finite `{name}` of shape {shape}, but gives {value.shape}.")
+    for name, sign in (("omega", modes.omega), ("decay", modes.decay)):
+        if np.any(sign < 0):
+            raise ArgumentError(f"{name_of(plant)}.modes must give `{name}` >= 0, but the least is {np.min(sign):g}.")
+    if [f.name for f in modes.fields] != [name for name, _ in plant.fields]:
+        raise ArgumentError(f"{name_of(plant)}.modes must give the fields that the plant names, {[n for n, _ in plant.fields]}.")
+    return modes
+
+
+def check_stages(stages: tuple[Stage, ...], dt: float) -> None:
+    """Try each of the user's own stages once in plain Python, then compile it alone."""
+    for stage in stages:
+        if not own(type(stage)):
+            continue
+        with blame(stage, "row"):
+            row = np.array(stage.row(dt), float)
+        state = np.array(stage.start() or (0.0,), float)
+        with blame(stage, "step"):
+            output = type(stage).step(0.0, state.copy(), row, state.copy())
+            float(output)
+        compile_alone(type(stage), type(stage).step, (0.0, state, row, state.copy()))
+
+
+def check_sampled(controller: Controller, setting: Setting) -> None:
+    """The same for a sampled law."""
+    if not isinstance(controller, SampledFeedback) or not own(type(controller)):
+        return
+    with blame(controller, "row"):
+        row = np.array(controller.row(setting), float).ravel()
+    nothing, command = np.zeros(len(setting.ports)), np.zeros(len(setting.ports))
+    state = np.zeros(max(1, controller.states(setting)))
+    sample = Sample(*(nothing,) * len(Sample._fields))
+    with blame(controller, "step"):
+        type(controller).step(sample, state.copy(), row, command)
+    compile_alone(type(controller), type(controller).step, (sample, state, row, command))
+
+
+def check_memory(controller: Controller, before: Mapping[str, Array], after: Mapping[str, Array]) -> None:
+    """What a law has learned must have the shape of what it began with."""
+    if own(type(controller)) and {k: np.shape(v) for k, v in before.items()} != {k: np.shape(v) for k, v in after.items()}:
+        shapes = ({name: np.shape(value) for name, value in memory.items()} for memory in (before, after))
+        raise ArgumentError("{}.learn must keep the memories {}, but returns {}.".format(name_of(controller), *shapes))
+
+
+@cache
+def _compiled(function: Callable[..., Any]) -> Any:
+    return compiled(function)
+
+
+def compile_alone(cls: type, function: Callable[..., Any], arguments: tuple[Any, ...]) -> None:
+    """Compile one function of the user's own, and blame its line if that fails."""
+    from numba.core.errors import NumbaError
+
+    try:
+        _compiled(function)(*arguments)
+    except NumbaError as error:
+        places = list(PLACE.finditer(str(error)))
+        at = f" ({places[-1]['file']}, line {places[-1]['line']})" if places else ""
+        reason = next((line.strip() for line in str(error).splitlines() if line.strip() and "Failed in" not in line), "")
+        raise ArgumentError(f"{name_of(cls)}.step cannot be compiled: {reason}{at}.") from None
