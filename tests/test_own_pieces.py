@@ -86,8 +86,7 @@ MISTAKES = {
     ),
     "step": (
         "actuator.second.chain.0",
-        "def step(command, state, parameters, new_state):\n    return command + state[0].nonsense\n\n\n@dataclass(frozen=True)\n"
-        + STAGE,
+        "def step(command, state, parameters, new_state):\n    return command + state[0].nonsense\n" + STAGE,
         r"mistake_step:Mine.step failed: AttributeError: .*nonsense.*\(mistake_step.py, line 6\)",
     ),
     "compile": (

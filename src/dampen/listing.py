@@ -19,8 +19,8 @@ def listing() -> str:
     for table, classes in KINDS.items():
         for cls in classes:
             lines += ["", f'[{table}] kind = "{cls.kind}"    {cls.summary()}', *_rows(cls)]
-    for table, cls in TABLES.items():
-        lines += ["", f"[{table}]    {cls.summary()}", *_rows(cls)]
+    for table, fixed in TABLES.items():
+        lines += ["", f"[{table}]    {fixed.summary()}", *_rows(fixed)]
     return "\n".join(lines)
 
 

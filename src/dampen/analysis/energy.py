@@ -50,7 +50,7 @@ def energy_account(result: Result) -> EnergyAccount:
     """The account of a run, read trial by trial."""
     if not result.trials:
         return EnergyAccount(*(0.0,) * 13)
-    last, reset = result.trials - 1, result.scenario.task.start == "reset"
+    last = result.trials - 1
 
     def total(name: str) -> float:
         return float(sum(np.sum(np.asarray(result[name][j])) for j in range(result.trials)))
@@ -63,12 +63,15 @@ def energy_account(result: Result) -> EnergyAccount:
         disturbance=total("work_disturbance"),
         load=total("work_load"),
         dissipated=total("dissipated"),
-        resets=float(sum(result["energy"][j][0] - result["energy"][j - 1][-1] for j in range(1, result.trials)))
-        if reset
-        else 0.0,
+        resets=put_back(result) if result.scenario.task.start == "reset" else 0.0,
         barrier_initial=float(result["barrier_energy"][0][0]),
         barrier_final=float(result["barrier_energy"][last][-1]),
         compliance_stored=float(result["compliance_energy"][last][-1]),
         compliance_lost=total("compliance_loss"),
         largest=float(max(np.max(np.asarray(result["energy"][j])) for j in range(result.trials))),
     )
+
+
+def put_back(result: Result) -> float:
+    """What the resets between trials add to the energy [J]."""
+    return float(sum(result["energy"][j][0] - result["energy"][j - 1][-1] for j in range(1, result.trials)))
