@@ -19,6 +19,7 @@ def listing() -> str:
     for table, classes in KINDS.items():
         for cls in classes:
             lines += ["", f'[{table}] kind = "{cls.kind}"    {cls.summary()}', *_rows(cls)]
+    fixed: type[Component]
     for table, fixed in TABLES.items():
         lines += ["", f"[{table}]    {fixed.summary()}", *_rows(fixed)]
     return "\n".join(lines)
