@@ -11,8 +11,16 @@ from dampen.controllers.none import NoControl as NoControl
 from dampen.disturbances.base import Disturbance as Disturbance
 from dampen.disturbances.harmonic_families import HarmonicFamilies as HarmonicFamilies
 from dampen.disturbances.none import NoDisturbance as NoDisturbance
+from dampen.plants.assembled import Assembled as Assembled
+from dampen.plants.assembled import AssembledPort as AssembledPort
+from dampen.plants.assembled import AssembledShape as AssembledShape
+from dampen.plants.base import Damping as Damping
 from dampen.plants.base import Modes as Modes
 from dampen.plants.base import Plant as Plant
+from dampen.plants.deflection import Deflection as Deflection
+from dampen.plants.euler_bernoulli import EulerBernoulliBeam as EulerBernoulliBeam
+from dampen.plants.flexible_arm import FlexibleArm as FlexibleArm
+from dampen.plants.string import String as String
 from dampen.plants.timoshenko import BeamState as BeamState
 from dampen.plants.timoshenko import TimoshenkoBeam as TimoshenkoBeam
 from dampen.scenarios.claims import check_claims as check_claims

@@ -11,7 +11,7 @@ from __future__ import annotations
 
 import dataclasses
 import difflib
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import MISSING, dataclass, fields
 from functools import cache
 from types import UnionType
@@ -198,6 +198,8 @@ def _type_name(base: Any) -> str:
     names = {float: "number", int: "whole number", bool: "true/false", str: "string"}
     if base in names:
         return names[base]
+    if get_origin(base) is Callable:
+        return "function"
     if get_origin(base) is tuple:
         return f"list of {_type_name(get_args(base)[0])}s"
     if get_origin(base) is dict:
@@ -211,10 +213,12 @@ def _type_name(base: Any) -> str:
 
 
 def _plain(value: Any) -> Any:
-    """Lists become tuples and NumPy scalars Python numbers, so that either may be given."""
+    """Lists and arrays, dense or sparse, become tuples and NumPy scalars Python numbers, so that any may be given."""
     if isinstance(value, list | tuple):
         return tuple(_plain(v) for v in value)
-    return value.item() if type(value).__module__ == "numpy" and getattr(value, "ndim", 1) == 0 else value
+    if type(value).__module__.startswith("scipy.sparse"):
+        value = value.toarray()
+    return _plain(value.tolist()) if type(value).__module__ == "numpy" and hasattr(value, "tolist") else value
 
 
 def _lines(cls: type, values: Mapping[str, Any], errors: Sequence[Any]) -> list[str]:

@@ -16,12 +16,16 @@ from dampen.disturbances.base import Disturbance
 from dampen.disturbances.harmonic_families import HarmonicFamilies
 from dampen.disturbances.none import NoDisturbance
 from dampen.own import own_object
+from dampen.plants.assembled import Assembled
 from dampen.plants.base import Plant
+from dampen.plants.euler_bernoulli import EulerBernoulliBeam
+from dampen.plants.flexible_arm import FlexibleArm
+from dampen.plants.string import String
 from dampen.plants.timoshenko import TimoshenkoBeam
 from dampen.stage import Stage
 
 KINDS: dict[str, tuple[type[Component], ...]] = {
-    "plant": (TimoshenkoBeam,),
+    "plant": (TimoshenkoBeam, EulerBernoulliBeam, FlexibleArm, String, Assembled),
     "actuator": (Ideal, Backlash),
     "disturbance": (NoDisturbance, HarmonicFamilies),
     "controller": (NoControl, DualLoopAILC),
@@ -52,6 +56,6 @@ def own_class(table: str, kind: str, where: str, folder: Path) -> type[Component
     if not dataclasses.is_dataclass(cls) or "__dataclass_params__" not in cls.__dict__:
         raise ArgumentError(f"Argument `{where}.kind` must name a frozen dataclass, but {kind!r} lacks @dataclass(frozen=True).")
     if inspect.isabstract(cls):
-        missing = ", ".join(sorted(cls.__abstractmethods__))
+        missing = ", ".join(sorted(getattr(cls, "__abstractmethods__", ())))
         raise ArgumentError(f"Argument `{where}.kind` must name a complete class, but {kind!r} does not define {missing}.")
     return cls

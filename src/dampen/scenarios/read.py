@@ -13,6 +13,8 @@ from typing import Any, get_args, get_origin, get_type_hints
 from dampen.component import ArgumentError, Component, InFile, shown, split_hint, suggestion, wrong
 from dampen.controllers.none import NoControl
 from dampen.disturbances.none import NoDisturbance
+from dampen.own import own_object
+from dampen.plants.profile import Profile
 from dampen.scenarios.kinds import FAMILIES, KINDS, find_kind
 from dampen.simulation.scenario import Numerics, Output, Scenario, Task
 from dampen.stage import Stage
@@ -181,6 +183,8 @@ class Builder:
         inner, kinds = get_args(base), {family: name for name, family in reversed(FAMILIES.items())}
         if isinstance(base, type) and issubclass(base, Component):
             return self.of_kind(kinds[base], value, where) if base in kinds else self.component(base, value, where)
+        if base == Profile and isinstance(value, str) and ":" in value:
+            own_object(value, where, self.folder)  # its module, from the scenario's folder; found by its name from then on
         if any(isinstance(extra, InFile) for extra in extras) and isinstance(value, str) and value:
             return str((self.folder / value).resolve())
         if get_origin(base) is tuple and isinstance(value, list) and inner:
