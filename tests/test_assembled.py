@@ -220,6 +220,26 @@ def test_matrices_that_cannot_be_get_one_clear_line(words: str) -> None:
     assert error.value.lines[0].startswith(f"Argument {words}")
 
 
+@pytest.mark.parametrize(
+    ("key", "value", "words"),
+    [
+        ("port_x", 3.0, "`file` has ports, shapes or a translation of a wrong kind"),
+        ("port_efforts", ["push", "force"], '`file` must have port_efforts ("force" or "torque"), port_x and port_fields'),
+        ("shape_x", ["a"] * 7, "`file` has ports, shapes or a translation of a wrong kind"),
+        ("shape_names", ["w", "v"], "`file` must have shape_v"),
+        ("port_vectors", 3.0, "`file` has ports, shapes or a translation of a wrong kind"),
+        ("stiffness", [[1.0, np.nan], [0.0, 1.0]], "`stiffness` must hold finite numbers only"),
+    ],
+)
+def test_files_with_wrong_keys_get_one_clear_line(tmp_path: Path, key: str, value: object, words: str) -> None:
+    write(tmp_path)
+    np.savez(tmp_path / "bad.npz", **{**dict(np.load(tmp_path / "all.npz")), key: value})  # type: ignore[arg-type]
+    with pytest.raises(dampen.ArgumentError) as error:
+        Assembled(file=str(tmp_path / "bad.npz"))
+    assert len(error.value.lines) == 1
+    assert error.value.lines[0].startswith(f"Argument {words}")
+
+
 def test_two_ports_of_one_name_are_refused() -> None:
     two = {"port_vectors": [[0.0, 1.0], [1.0, 0.0]], "port": [AssembledPort("a"), AssembledPort("a")]}
     with pytest.raises(dampen.ArgumentError, match="`port` must give each its own name"):

@@ -68,7 +68,7 @@ class Matrices:
             if len(set(names)) < len(names) or not all(names):
                 raise wrong(of, "give each its own name", names)
         for shape in self.shapes:
-            if shape.x.ndim != 1 or len(shape.x) < 2 or np.any(np.diff(shape.x) <= 0):
+            if shape.x.ndim != 1 or len(shape.x) < 2 or not np.all(np.diff(shape.x) > 0):
                 raise wrong("shape", f"have at least 2 points x, ascending, for `{shape.name}`", shape.x.tolist())
             _check_shape("shape", shape.values, (len(shape.x), dof), f"(points, dof), for `{shape.name}`")
 
@@ -80,10 +80,20 @@ def read_matrices(plant: Any) -> Matrices:
     for name, value in given.items():
         if value.dtype.kind not in "fiu" or not np.all(np.isfinite(value)):
             raise ArgumentError(f"Argument `{name}` must hold finite numbers only.")
-    translation = np.array(plant.translation, float) if plant.translation else held.get("translation")
+    try:
+        return _read_rest(plant, held, **{name: value.astype(float) for name, value in given.items()})
+    except (TypeError, ValueError, IndexError) as error:
+        if isinstance(error, ArgumentError):
+            raise
+        raise ArgumentError(f"Argument `file` has ports, shapes or a translation of a wrong kind: {error}.") from None
+
+
+def _read_rest(plant: Any, held: Mapping[str, Array], mass: Array, stiffness: Array, port_vectors: Array) -> Matrices:
+    """Translation, ports and shapes, beside the matrices."""
+    rigid = plant.translation or held.get("translation")
+    translation = None if rigid is None or len(rigid) == 0 else np.array(rigid, float)
     shapes = tuple(Shape(s.name, s.unit, np.array(s.x), np.array(s.values)) for s in plant.shape) or _shapes(held)
-    ports = tuple(Port(p.name, p.field, p.x, p.effort) for p in plant.port) or _ports(held, len(given["port_vectors"]))
-    mass, stiffness, port_vectors = (value.astype(float) for value in given.values())
+    ports = tuple(Port(p.name, p.field, p.x, p.effort) for p in plant.port) or _ports(held, len(port_vectors))
     return Matrices(mass, stiffness, port_vectors, translation, ports, shapes)
 
 
@@ -179,7 +189,8 @@ def _shapes(held: Mapping[str, Array]) -> tuple[Shape, ...]:
     missing = [key for key in ("shape_x", *(f"shape_{name}" for name in names)) if key not in held]
     if missing or len(units) != len(names):
         raise ArgumentError(f"Argument `file` must have {missing[0] if missing else 'a unit for each shape'}.")
-    return tuple(Shape(n, u, held["shape_x"], held[f"shape_{n}"]) for n, u in zip(names, units, strict=True))
+    x = np.array(held["shape_x"], float)
+    return tuple(Shape(n, u, x, np.array(held[f"shape_{n}"], float)) for n, u in zip(names, units, strict=True))
 
 
 def _check_symmetric(name: str, matrix: Array) -> None:
