@@ -31,10 +31,17 @@ from dampen.disturbances.moving_load import MovingLoad as MovingLoad
 from dampen.disturbances.none import NoDisturbance as NoDisturbance
 from dampen.disturbances.recorded import Recorded as Recorded
 from dampen.disturbances.sum import Sum as Sum
+from dampen.plants.assembled import Assembled as Assembled
+from dampen.plants.assembled import AssembledPort as AssembledPort
+from dampen.plants.assembled import AssembledShape as AssembledShape
 from dampen.plants.base import Damping as Damping
 from dampen.plants.base import Field as Field
 from dampen.plants.base import Modes as Modes
 from dampen.plants.base import Plant as Plant
+from dampen.plants.deflection import Deflection as Deflection
+from dampen.plants.euler_bernoulli import EulerBernoulliBeam as EulerBernoulliBeam
+from dampen.plants.flexible_arm import FlexibleArm as FlexibleArm
+from dampen.plants.string import String as String
 from dampen.plants.timoshenko import BeamState as BeamState
 from dampen.plants.timoshenko import TimoshenkoBeam as TimoshenkoBeam
 from dampen.port import Port as Port

@@ -205,6 +205,8 @@ def _type_name(base: Any) -> str:
     names = {float: "number", int: "whole number", bool: "true/false", str: "string"}
     if base in names:
         return names[base]
+    if get_origin(base) is Callable:
+        return "function"
     if get_origin(base) is tuple:
         return f"list of {_type_name(get_args(base)[0])}s"
     if get_origin(base) is dict:
@@ -220,14 +222,14 @@ def _type_name(base: Any) -> str:
 
 
 def _plain(value: Any) -> Any:
-    """Lists become tuples, NumPy's numbers and rows Python's, in tables too, so that either may be given."""
+    """Lists, tables, NumPy's and sparse arrays become tuples and dicts of Python's numbers, so that any may be given."""
     if isinstance(value, list | tuple):
         return tuple(_plain(v) for v in value)
     if isinstance(value, dict):
         return {key: _plain(v) for key, v in value.items()}
-    if type(value).__module__ == "numpy" and getattr(value, "ndim", 0) > 0:
-        return _plain(value.tolist())
-    return value.item() if type(value).__module__ == "numpy" and getattr(value, "ndim", 1) == 0 else value
+    if type(value).__module__.startswith("scipy.sparse"):
+        value = value.toarray()
+    return _plain(value.tolist()) if type(value).__module__ == "numpy" and hasattr(value, "tolist") else value
 
 
 def _lines(cls: type, values: Mapping[str, Any], errors: Sequence[Any]) -> list[str]:

@@ -19,9 +19,8 @@ def listing() -> str:
     for table, classes in KINDS.items():
         for cls in classes:
             lines += ["", f'[{table}] kind = "{cls.kind}"    {cls.summary()}', *_rows(cls)]
-    fixed: type[Component]
-    for table, fixed in TABLES.items():
-        lines += ["", f"[{table}]    {fixed.summary()}", *_rows(fixed)]
+    for table, cls in TABLES.items():
+        lines += ["", f"[{table}]    {cls.summary()}", *_rows(cls)]
     return "\n".join(lines)
 
 

@@ -46,6 +46,9 @@ def literal(value: Any) -> str:
         value = {**kind, **{f.name: getattr(value, f.name) for f in fields(value) if getattr(value, f.name) is not None}}
     if isinstance(value, Mapping):
         return "{ " + ", ".join(f"{k} = {literal(v)}" for k, v in value.items()) + " }"
+    if callable(value):
+        named = value if hasattr(value, "__qualname__") else type(value)
+        return literal(f"{named.__module__}:{named.__qualname__}")
     return repr(value)
 
 

@@ -11,7 +11,7 @@ import numpy as np
 from annotated_types import Ge, Unit
 from typing_extensions import Doc
 
-from dampen.component import Component, wrong
+from dampen.component import ArgumentError, Component
 from dampen.gauss import gauss_legendre
 from dampen.modal import ModalModel
 from dampen.port import Port
@@ -24,14 +24,14 @@ class Field:
     """One field of the structure, such as w(x, t).
 
     shapes:   x (points,) -> (points, modes), the field's part of every mode shape.
-    inertia:  distributed inertia per metre, a function of x (points,).
+    inertia:  distributed inertia per metre, a function of x (points,); None where only the matrices know it.
     lumps:    (x, inertia) of every lumped inertia, such as the tip payload.
     """
 
     name: str
     unit: str
     shapes: Callable[[Array], Array]
-    inertia: Callable[[Array], Array]
+    inertia: Callable[[Array], Array] | None
     lumps: tuple[tuple[float, float], ...] = ()
 
 
@@ -65,15 +65,22 @@ class Modes(ModalModel):
         return self.compliance - (self.b / self.omega**2) @ self.b.T
 
     def field(self, name: str) -> Field:
-        return next(f for f in self.fields if f.name == name)
+        for field in self.fields:
+            if field.name == name:
+                return field
+        known = ", ".join(field.name for field in self.fields) or "none"
+        raise ArgumentError(f"A load along the field `{name}` needs a plant with that field; known here: {known}.")
 
     def project(self, name: str, values: Callable[[Array], Array]) -> Array:
         """Modal coordinates (modes,) of the field `name` = values(x), in the mass inner product, lumps included.
 
         Values that contradict the boundary (a rate of 0.1 m/s at the clamp) are met in the mean, as well as modes can.
+        Raises ArgumentError for a structure whose inertia along x is not known: one given by its matrices.
         """
-        assert self.rule is not None
-        field, (x, weights) = self.field(name), self.rule
+        field = self.field(name)
+        if self.rule is None or field.inertia is None:
+            raise ArgumentError(f"The field `{name}` cannot start from a shape: its inertia along x is not known, only matrices.")
+        x, weights = self.rule
         modal = (weights * field.inertia(x) * values(x)) @ field.shapes(x)
         for place, lump in field.lumps:
             at = np.array([place])
@@ -84,14 +91,16 @@ class Modes(ModalModel):
         """Points x (points,) and matrix (points, modes) such that f(x, t) @ matrix is the modal load of f on a field.
 
         Gauss points on every smooth piece: enough for products of the load's shortest wave [m] and the highest mode.
+        Raises ArgumentError where the plant has no such field.
         """
-        assert self.breaks is not None
+        field = self.field(name)
+        assert self.breaks is not None, "a plant with fields has breaks"
         pieces = np.diff(self.breaks)
         waves = pieces.max() / shortest_wave + self.count / 2 / len(pieces)
         nodes, weights = gauss_legendre(32 * int(np.ceil((np.pi * waves + 20) / 32)))
         x = (self.breaks[:-1, None] + pieces[:, None] * (nodes + 1) / 2).ravel()
         w = (pieces[:, None] * weights / 2).ravel()
-        return x, w[:, None] * self.field(name).shapes(x)
+        return x, w[:, None] * field.shapes(x)
 
 
 class Plant(Component):
@@ -150,32 +159,9 @@ class Damping(Component):
         return np.asarray(ratio * omega + self.kelvin_voigt * omega**2 / 2 + self.viscous / 2)
 
 
-def solve_modes(mass: Array, stiffness: Array, count: int) -> tuple[Array, Array]:
-    """Lowest `count` solutions of K v = omega^2 M v: omega ascending, and mass-normalised vectors as columns.
-
-    Solved as M v = (1/omega^2) K v, whose largest eigenvalues are the lowest frequencies: those come out with relative
-    errors near round-off, where the direct form loses the ratio of the highest to the lowest eigenvalue.
-    """
-    from scipy.linalg import eigh
-
-    size = len(mass)
-    if count > size:
-        raise wrong("modes", f"be <= {size}, the number of modes that this discretisation has", count)
-    inverse, vectors = eigh(mass, stiffness, subset_by_index=(size - count, size - 1))
-    omega = 1 / np.sqrt(inverse[::-1])
-    return omega, vectors[:, ::-1] * omega
-
-
-def static_compliance(stiffness: Array, port_vectors: Array) -> Array:
-    """(ports, ports) matrix of static port displacements per unit port force."""
-    from scipy.linalg import cho_factor, cho_solve
-
-    return port_vectors.T @ cho_solve(cho_factor(stiffness), port_vectors)
-
-
 def polynomial(coefficients: Sequence[float]) -> Callable[[Array], Array]:
-    """c0 + c1 x + c2 x^2 + ... as a function of x."""
-    return lambda x: np.polynomial.polynomial.polyval(x, np.asarray(coefficients, float))
+    """c0 + c1 x + c2 x^2 + ... as a function of x; 0 without coefficients."""
+    return lambda x: np.polynomial.polynomial.polyval(x, np.asarray(tuple(coefficients) or (0.0,), float))
 
 
 def constant(value: float) -> Callable[[Array], Array]:

@@ -10,18 +10,10 @@ from annotated_types import Ge, Gt, Unit
 from typing_extensions import Doc
 
 from dampen.component import Component, wrong
-from dampen.plants.base import (
-    Array,
-    Damping,
-    Field,
-    Modes,
-    Plant,
-    constant,
-    polynomial,
-    solve_modes,
-    static_compliance,
-)
-from dampen.plants.spaces import FiniteDifference, Space, Spectral
+from dampen.plants.base import Array, Damping, Field, Modes, Plant, constant, polynomial
+from dampen.plants.eigen import solve_modes, static_compliance
+from dampen.plants.profile import Profile, along, check_profiles, sampled
+from dampen.plants.spaces import FiniteDifference, Space, Spectral, degree
 from dampen.port import Port
 
 
@@ -49,6 +41,8 @@ class TimoshenkoBeam(Plant):
         rho   w_tt   + K (phi_x - w_xx)          = f(x, t)      M w_tt - K (phi - w_x) = force  at x = L
         w(0, t) = phi(0, t) = 0
 
+    rho, I_rho, EI and K may vary along x (a finite-difference grid takes them at its nodes and middles).
+
     Ports `tip_w` (force and displacement) and `tip_phi` (torque and rotation), fields `w` and `phi`. Defaults are Table I
     of He et al., IEEE Trans. Syst., Man, Cybern.: Syst., 2017, doi 10.1109/TSMC.2017.2692529, equations (6)-(11).
     """
@@ -56,15 +50,18 @@ class TimoshenkoBeam(Plant):
     kind: ClassVar[str] = "timoshenko"
     has_grid: ClassVar[bool] = True
 
-    mass_per_length: Annotated[float, Gt(0), Unit("kg/m"), Doc("mass per length rho")] = 1.0
+    mass_per_length: Annotated[Profile, Gt(0), Unit("kg/m"), Doc("mass per length rho")] = 1.0
     length: Annotated[float, Gt(0), Unit("m"), Doc("length L")] = 1.0
     tip_mass: Annotated[float, Ge(0), Unit("kg"), Doc("payload mass M")] = 0.1
-    bending_stiffness: Annotated[float, Gt(0), Unit("N m^2"), Doc("bending stiffness EI")] = 35.0
-    rotary_inertia: Annotated[float, Gt(0), Unit("kg m"), Doc("rotary inertia per length I_rho")] = 2.0
+    bending_stiffness: Annotated[Profile, Gt(0), Unit("N m^2"), Doc("bending stiffness EI")] = 35.0
+    rotary_inertia: Annotated[Profile, Gt(0), Unit("kg m"), Doc("rotary inertia per length I_rho")] = 2.0
     tip_inertia: Annotated[float, Ge(0), Unit("kg m^2"), Doc("payload inertia J")] = 0.1
-    shear_stiffness: Annotated[float, Gt(0), Unit("N"), Doc("shear stiffness K = kAG")] = 15.0
+    shear_stiffness: Annotated[Profile, Gt(0), Unit("N"), Doc("shear stiffness K = kAG")] = 15.0
     damping: Annotated[Damping, Doc("proportional damping")] = field(default_factory=Damping)
     initial: Annotated[BeamState, Doc("shapes and rates at the start of trial 0")] = field(default_factory=BeamState)
+
+    def check(self) -> None:
+        check_profiles(self, self.length)
 
     @property
     def ports(self) -> tuple[Port, ...]:
@@ -80,22 +77,14 @@ class TimoshenkoBeam(Plant):
 
     def initial_ports(self) -> tuple[float, ...]:
         tip = np.array([self.length])
-        return tuple(float(polynomial(c or (0.0,))(tip)[0]) for c in (self.initial.w, self.initial.phi))
+        return tuple(float(polynomial(c)(tip)[0]) for c in (self.initial.w, self.initial.phi))
 
     def modes(self, count: int, grid: int | None = None) -> Modes:
         """The lowest `count` modes. Raises ArgumentError if the discretisation has fewer."""
-        space: Space = Spectral(self.length, _degree(count)) if grid is None else FiniteDifference(self.length, grid)
-        size = len(space.vv)
-        tip = space.values(np.array([self.length]))[0]
-        mass = np.zeros((2 * size, 2 * size))
-        stiffness = np.zeros_like(mass)
+        space = self._space(count, grid)
+        size, tip = space.size, space.values(np.array([self.length]))[0]
+        mass, stiffness = self._matrices(space, tip)
         w, phi = slice(0, size), slice(size, None)
-        mass[w, w] = self.mass_per_length * space.vv + self.tip_mass * np.outer(tip, tip)
-        mass[phi, phi] = self.rotary_inertia * space.vv + self.tip_inertia * np.outer(tip, tip)
-        stiffness[w, w] = self.shear_stiffness * space.dd
-        stiffness[w, phi] = -self.shear_stiffness * space.dv
-        stiffness[phi, w] = stiffness[w, phi].T
-        stiffness[phi, phi] = self.bending_stiffness * space.dd + self.shear_stiffness * space.vv
         omega, vectors = solve_modes(mass, stiffness, count)
         port_vectors = np.zeros((2 * size, 2))
         port_vectors[w, 0] = port_vectors[phi, 1] = tip
@@ -107,8 +96,8 @@ class TimoshenkoBeam(Plant):
             decay=self.damping.decay(omega),
             ports=self.ports,
             fields=(
-                Field("w", "m", lambda x: space.values(x) @ w_vectors, constant(self.mass_per_length), lumps[0]),
-                Field("phi", "rad", lambda x: space.values(x) @ phi_vectors, constant(self.rotary_inertia), lumps[1]),
+                Field("w", "m", lambda x: space.values(x) @ w_vectors, along(self.mass_per_length), lumps[0]),
+                Field("phi", "rad", lambda x: space.values(x) @ phi_vectors, along(self.rotary_inertia), lumps[1]),
             ),
             compliance=static_compliance(stiffness, port_vectors),
             rule=space.rule,
@@ -116,16 +105,27 @@ class TimoshenkoBeam(Plant):
         )
         return replace(modes, translation=modes.project("w", constant(1.0)))
 
+    def _space(self, count: int, grid: int | None) -> Space:
+        if grid is not None:
+            return FiniteDifference(self.length, grid)
+        rho, inertia, ei, k = (
+            sampled(p, self.length)
+            for p in (self.mass_per_length, self.rotary_inertia, self.bending_stiffness, self.shear_stiffness)
+        )
+        return Spectral(self.length, degree(count, np.sqrt(rho / k), np.sqrt(inertia / ei)))
+
+    def _matrices(self, space: Space, tip: Array) -> tuple[Array, Array]:
+        """Mass and stiffness of (w, phi): kinetic energy, and EI phi_x^2/2 + K (w_x - phi)^2/2, integrated."""
+        ei, k = along(self.bending_stiffness), along(self.shear_stiffness)
+        nothing, at_tip, shear = np.zeros((space.size, space.size)), np.outer(tip, tip), space.gram(1, 0, k)
+        mass_w = space.gram(0, 0, along(self.mass_per_length)) + self.tip_mass * at_tip
+        mass_phi = space.gram(0, 0, along(self.rotary_inertia)) + self.tip_inertia * at_tip
+        mass = np.block([[mass_w, nothing], [nothing, mass_phi]])
+        stiffness = np.block([[space.gram(1, 1, k), -shear], [-shear.T, space.gram(1, 1, ei) + space.gram(0, 0, k)]])
+        return mass, stiffness
+
     def initial_state(self, modes: Modes) -> tuple[Array, Array]:
         start = self.initial
-        q = modes.project("w", polynomial(start.w or (0.0,))) + modes.project("phi", polynomial(start.phi or (0.0,)))
-        rate = modes.project("w", polynomial(start.w_rate or (0.0,))) + modes.project("phi", polynomial(start.phi_rate or (0.0,)))
+        q = modes.project("w", polynomial(start.w)) + modes.project("phi", polynomial(start.phi))
+        rate = modes.project("w", polynomial(start.w_rate)) + modes.project("phi", polynomial(start.phi_rate))
         return q, rate
-
-
-def _degree(count: int) -> int:
-    """Polynomial degree that resolves `count` modes: two families at most, pi points a wavelength, and a margin.
-
-    In the worst case one family holds all `count` modes, which is count/2 wavelengths.
-    """
-    return int(np.ceil(np.pi * count / 2)) + 24

@@ -31,7 +31,11 @@ from dampen.disturbances.none import NoDisturbance
 from dampen.disturbances.recorded import Recorded
 from dampen.disturbances.sum import Sum
 from dampen.own import own_object
+from dampen.plants.assembled import Assembled
 from dampen.plants.base import Plant
+from dampen.plants.euler_bernoulli import EulerBernoulliBeam
+from dampen.plants.flexible_arm import FlexibleArm
+from dampen.plants.string import String
 from dampen.plants.timoshenko import TimoshenkoBeam
 from dampen.signals.base import Signal
 from dampen.signals.decay import Decay
@@ -42,7 +46,7 @@ from dampen.signals.sinusoid import Sinusoid
 from dampen.stage import Stage
 
 KINDS: dict[str, tuple[type[Component], ...]] = {
-    "plant": (TimoshenkoBeam,),
+    "plant": (TimoshenkoBeam, EulerBernoulliBeam, FlexibleArm, String, Assembled),
     "actuator": (Ideal, Backlash),
     "disturbance": (
         NoDisturbance,
@@ -102,6 +106,6 @@ def own_class(table: str, kind: str, where: str, folder: Path) -> type[Component
     if not dataclasses.is_dataclass(cls) or "__dataclass_params__" not in cls.__dict__:
         raise ArgumentError(f"Argument `{where}.kind` must name a frozen dataclass, but {kind!r} lacks @dataclass(frozen=True).")
     if inspect.isabstract(cls):
-        missing = ", ".join(sorted(cls.__abstractmethods__))
+        missing = ", ".join(sorted(getattr(cls, "__abstractmethods__", ())))
         raise ArgumentError(f"Argument `{where}.kind` must name a complete class, but {kind!r} does not define {missing}.")
     return cls

@@ -21,7 +21,7 @@ from dampen.simulation.task import Task
 from dampen.stage import Stage
 
 Table = dict[str, Any]
-TABLES = {"task": Task, "sampling": Sampling, "numerics": Numerics, "output": Output}
+TABLES: dict[str, type[Component]] = {"task": Task, "sampling": Sampling, "numerics": Numerics, "output": Output}
 TOP = ("name", "title", "claims", "plant", "disturbance", "actuator", "compensation", "controller", "bounds", *TABLES)
 BARE_WORD = re.compile(r"[A-Za-z][\w:.-]*")
 
