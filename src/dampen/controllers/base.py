@@ -26,7 +26,8 @@ class Setting:
     ports, length: of the structure.   steps, dt: the intervals at which the law acts, those of the simulation, or its samples.
     reference, low, high: (steps + 1, ports) what the ports are to follow in the trial ahead, and the limits of the tracking
     error e = y - reference.   bounds: by port name [N, N m], and "f" for the distributed load [N/m]; as stated in the scenario,
-    true or not.   sampled: whether the law acts through samples, whose commands arrive `delay` [s] later.
+    true or not.   gains: (ports,) slope of each port's stages in full motion, what a unit of command delivers; 0 where there
+    is no actuator.   sampled: whether the law acts through samples, whose commands arrive `delay` [s] later.
     model: the structure's modes.   response: (steps, ports, ports) the tracking error at the ends of the intervals, by port,
     after a unit of feedforward in the first interval, by port, with the law's own feedback at work; both computed when asked.
     """
@@ -39,6 +40,7 @@ class Setting:
     low: Array
     high: Array
     bounds: Mapping[str, float]
+    gains: Array = field(default_factory=lambda: np.ones(1))
     sampled: bool = False
     delay: float = 0.0
     model: Callable[[], ModalModel] = field(default=lambda: _unknown())

@@ -62,7 +62,7 @@ class LQG(SampledFeedback):
         the filter is optimal for white forces of `force_noise` at the ports, held from sample to sample, and for white
         `sensor_noise` on the readings
 
-    A delay is part of the model. A reference is fed forward so that the model comes to rest on it. What the model leaves out
+    A delay is part of the model, and so is the slope of the actuators in full motion. A reference is fed forward so that the model comes to rest on it. What the model leaves out
     is not seen by the design: spillover shows in the run. Source: Franklin, Powell and Workman, Digital Control of Dynamic
     Systems, 1998, ch. 9.
     """
@@ -134,6 +134,7 @@ def sampled_model(model: ModalModel, setting: Setting) -> tuple[Array, Array, Ar
     """(A, B, C) of the modes at the samples, with the commands that are under way as further states, oldest first."""
     n, ports, late = model.count, len(setting.ports), under_way(setting)
     free, push = transition(model, setting.dt)
+    push = push * setting.gains
     c = np.hstack([model.b, np.zeros((ports, n + late * ports))])
     if not late:
         return free, push, c
@@ -141,7 +142,7 @@ def sampled_model(model: ModalModel, setting: Setting) -> tuple[Array, Array, Ar
     size = 2 * n + late * ports
     a, b = np.zeros((size, size)), np.zeros((size, ports))
     end, end_push = transition(model, setting.dt - wait)
-    _, begin_push = transition(model, wait)
+    end_push, begin_push = end_push * setting.gains, transition(model, wait)[1] * setting.gains
     a[: 2 * n, : 2 * n] = free
     a[: 2 * n, 2 * n : 2 * n + ports] = end @ begin_push
     if late > 1:

@@ -29,7 +29,7 @@ BARE_WORD = re.compile(r"[A-Za-z][\w:.-]*")
 def shipped() -> dict[str, Path]:
     """The scenarios that come with the package, by name."""
     root = Path(str(resources.files("dampen.scenarios")))
-    return {path.parent.name: path for path in sorted(root.glob("*/scenario.toml"))}
+    return {path.parent.name.replace("_", "-"): path for path in sorted(root.glob("*/scenario.toml"))}
 
 
 def read_scenario(source: str | Path, overrides: Sequence[str] = ()) -> Scenario:
@@ -38,8 +38,37 @@ def read_scenario(source: str | Path, overrides: Sequence[str] = ()) -> Scenario
     Values are TOML values; a bare word is taken as a string. Setting a table's `kind` starts that table afresh from the
     defaults of the new kind. Raises ArgumentError, one line for every fault.
     """
-    folder = Path() if str(source) in shipped() else Path(source).parent
-    return build(override(parse(source_text(source), str(source)), overrides), folder)
+    return build(override(table_of(source), overrides), folder_of(source))
+
+
+def table_of(source: str | Path, above: tuple[str, ...] = ()) -> Table:
+    """The table of a scenario; one that says `based_on = "another"` is laid over that one, table by table."""
+    table = parse(source_text(source), str(source))
+    if "based_on" not in table:
+        return table
+    base = table.pop("based_on")
+    if not isinstance(base, str):
+        raise wrong("based_on", "name a scenario or a file", base)
+    known = base in shipped()
+    base = base if known else str(folder_of(source) / base)
+    if base in above:
+        raise wrong("based_on", "not lead back to where it came from", base)
+    return laid_over(table_of(base, (*above, str(source))), table)
+
+
+def laid_over(below: Table, above: Table) -> Table:
+    """`above` over `below`: tables are merged, but one that names another `kind` starts afresh; everything else is replaced."""
+    merged = dict(below)
+    for key, value in above.items():
+        old = merged.get(key)
+        fresh = not (isinstance(value, dict) and isinstance(old, dict)) or value.get("kind", old.get("kind")) != old.get("kind")
+        merged[key] = value if fresh else laid_over(old, value)  # type: ignore[arg-type]
+    return merged
+
+
+def folder_of(source: str | Path) -> Path:
+    """Where files that a scenario names are looked for."""
+    return shipped().get(str(source), Path(source)).parent
 
 
 def source_text(source: str | Path) -> str:

@@ -6,7 +6,8 @@ explicit:        Sgn as it is, of the estimated rate: chatters at the sample rat
 boundary layer:  Sgn(v) ~ v / layer within the layer: no chatter, but a dragged port instead of a held one.
 implicit:        of the rate that the command will bring about, v+ = v + compliance (u - u_slow): the controller solves this
                  small inclusion before it outputs, and gives the command that brings the port to rest where that is within
-                 reach. `compliance` is a nominal one; u_slow follows u, so that a force that has to be held is held.
+                 reach. `compliance` is a nominal one; u_slow follows u, so that a force that has to be held is held. What the
+                 command before will still do, while it is delayed, is counted in as pending (u_before - u_slow).
                  Source: Acary and Brogliato, Systems & Control Letters 59, 2010 (implicit discretisation of sliding modes).
 
 The barrier is taken at most at `edge` of the limit, as a real controller has to: past it the command does not grow.
@@ -18,7 +19,7 @@ from dampen.simulation.barrier import barrier_gradient, fresh_memo
 
 EXPLICIT, LAYER, IMPLICIT = 0.0, 1.0, 2.0
 RELAXATION = 0.05
-COLUMNS = ("damping", "stiffness", "barrier", "edge", "switching", "layer", "compliance")
+COLUMNS = ("damping", "stiffness", "barrier", "edge", "switching", "layer", "compliance", "pending")
 ROW = len(COLUMNS)
 
 
@@ -27,7 +28,7 @@ def port_law(sample, state, parameters, command):
     for p in range(len(command)):
         row = p * ROW
         damping, stiffness, barrier, edge = parameters[row], parameters[row + 1], parameters[row + 2], parameters[row + 3]
-        switching, layer, compliance = parameters[row + 4], parameters[row + 5], parameters[row + 6]
+        switching, layer, compliance, pending = parameters[row + 4], parameters[row + 5], parameters[row + 6], parameters[row + 7]
         error, rate, coulomb = sample.error[p], sample.rate[p], sample.coulomb[p]
         smooth = sample.feedforward[p] - stiffness * error
         if barrier > 0.0:
@@ -35,7 +36,8 @@ def port_law(sample, state, parameters, command):
             inside = min(max(error, edge * low), edge * high)
             smooth -= barrier * barrier_gradient(inside, inside, fresh_memo(inside, low, high), low, high)
         if switching == IMPLICIT:
-            command[p] = implicit(smooth, rate - compliance * state[p], damping, coulomb, compliance)
+            ahead = rate + pending * (sample.before[p] - state[p])
+            command[p] = implicit(smooth, ahead - compliance * state[p], damping, coulomb, compliance)
             state[p] += RELAXATION * (command[p] - state[p])
         elif switching == LAYER:
             command[p] = smooth - damping * rate - coulomb * min(max(rate / layer, -1.0), 1.0)

@@ -91,7 +91,7 @@ def estimator_gains(sampling: Sampling) -> tuple[float, float]:
 
 def port_law_row(sampling: Sampling, setting: Setting, law: PortLaw) -> Array:
     """The parameters of `digital_law.port_law`, port after port."""
-    ports = len(setting.ports)
+    ports, compliance = len(setting.ports), nominal_compliance(sampling, setting)
     columns = {
         "damping": law.damping,
         "stiffness": law.stiffness,
@@ -99,7 +99,8 @@ def port_law_row(sampling: Sampling, setting: Setting, law: PortLaw) -> Array:
         "edge": np.full(ports, sampling.barrier_edge),
         "switching": np.full(ports, SWITCHING[sampling.switching]),
         "layer": np.full(ports, sampling.layer),
-        "compliance": nominal_compliance(sampling, setting),
+        "compliance": compliance,
+        "pending": compliance * 2 / CAUTION * sampling.delay / sampling.period,
     }
     return np.column_stack([columns[name] for name in COLUMNS]).ravel()
 

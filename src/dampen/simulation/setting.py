@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable
 from dataclasses import replace
 
@@ -37,6 +38,7 @@ def setting_of(scenario: Scenario, bench: Bench | None = None) -> Setting:
         low=unlimited,
         high=unlimited,
         bounds=scenario.bounds,
+        gains=np.array([math.prod(stage.gain for stage in scenario.chain(p)) for p in range(len(scenario.ports))]),
         sampled=scenario.sampled,
         delay=scenario.sampling.delay if scenario.sampled else 0.0,
         model=lambda: the_bench().modes,
@@ -74,8 +76,7 @@ def response(scenario: Scenario, bench: Bench) -> Array:
     controller, setting = scenario.controller, setting_of(scenario, bench=bench)
     law = controller.law(controller.begin(setting), setting)
     kernel, classes = bench.kernel(scenario)
-    ports, n = len(setting.ports), scenario.steps
-    gain = port_records([scenario.chain(p) for p in range(ports)], bench.step, classes)[0].gain
+    ports, n, gain = len(setting.ports), scenario.steps, setting.gains
     each = round(setting.dt / scenario.numerics.step)
     answers = np.zeros((setting.steps, ports, ports))
     for r in range(ports):
