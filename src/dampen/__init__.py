@@ -1,10 +1,20 @@
 """Boundary control and iterative learning control of vibrating structures."""
 
 from dampen.actuators.backlash import Backlash as Backlash
+from dampen.actuators.bouc_wen import BoucWen as BoucWen
+from dampen.actuators.dead_zone import DeadZone as DeadZone
+from dampen.actuators.effectiveness import Effectiveness as Effectiveness
+from dampen.actuators.first_order_lag import FirstOrderLag as FirstOrderLag
 from dampen.actuators.ideal import Ideal as Ideal
+from dampen.actuators.prandtl_ishlinskii import PrandtlIshlinskii as PrandtlIshlinskii
+from dampen.actuators.rate_limit import RateLimit as RateLimit
+from dampen.actuators.saturation import Saturation as Saturation
 from dampen.component import ArgumentError as ArgumentError
 from dampen.controllers.base import Controller as Controller
 from dampen.controllers.base import PortLaw as PortLaw
+from dampen.controllers.compensation.backlash_inverse import BacklashInverse as BacklashInverse
+from dampen.controllers.compensation.dead_zone_inverse import DeadZoneInverse as DeadZoneInverse
+from dampen.controllers.compensation.prandtl_ishlinskii_inverse import PrandtlIshlinskiiInverse as PrandtlIshlinskiiInverse
 from dampen.controllers.dual_loop_ailc import AssumedBacklash as AssumedBacklash
 from dampen.controllers.dual_loop_ailc import DualLoopAILC as DualLoopAILC
 from dampen.controllers.none import NoControl as NoControl

@@ -9,25 +9,25 @@ from typing import Any
 
 from dampen.component import Component, parameters
 
+CHAINS = {"actuators": "actuator", "compensation": "compensation"}  # for each port a chain: field of a scenario, table of a file
+
 
 def to_toml(scenario: Component) -> str:
     """A scenario as a TOML file that reads back to the same scenario."""
     lines: list[str] = []
-    actuators = None
     for f in fields(scenario):
         value = getattr(scenario, f.name)
-        if f.name == "actuators":
-            actuators = value
-        elif not isinstance(value, Component | Mapping) and value not in (None, ""):
+        if not isinstance(value, Component | Mapping) and value not in (None, ""):
             lines.append(f"{f.name} = {literal(value)}")
     for f in fields(scenario):
         value = getattr(scenario, f.name)
         if isinstance(value, Component):
             lines += _table(f.name, value)
-        elif isinstance(value, Mapping) and value is not actuators and value:
+        elif isinstance(value, Mapping) and f.name not in CHAINS and value:
             lines += ["", f"[{f.name}]", *(f"{key} = {literal(v)}" for key, v in value.items())]
-    for port, chain in (actuators or {}).items():
-        lines += ["", f"[actuator.{port}]", f"chain = {literal(chain)}"]
+    for name, table in CHAINS.items():
+        for port, chain in getattr(scenario, name, {}).items():
+            lines += ["", f"[{table}.{port}]", f"chain = {literal(chain)}"]
     return "\n".join(lines) + "\n"
 
 

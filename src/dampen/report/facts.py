@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
 from dampen.analysis.energy import EnergyAccount, energy_account
@@ -9,6 +10,7 @@ from dampen.component import Component, parameters
 from dampen.report.joined import uncontrolled
 from dampen.report.style import MINUS, number, plain_number
 from dampen.simulation.result import Result
+from dampen.stage import Stage
 from dampen.toml import kind_of, literal
 
 
@@ -36,10 +38,9 @@ def facts(result: Result) -> list[tuple[str, str]]:
     """What was run, in a few words each."""
     scenario, numerics, task = result.scenario, result.scenario.numerics, result.scenario.task
     rows = [("Plant", described(scenario.plant)), ("Controller", described(scenario.controller))]
-    chains = {
-        port: ", ".join(kind_of(stage) or type(stage).__name__ for stage in chain) for port, chain in scenario.actuators.items()
-    }
-    rows.append(("Actuators", "; ".join(f"{port}: {chain or 'ideal'}" for port, chain in chains.items()) or "ideal"))
+    if scenario.compensation:
+        rows.append(("Compensation", chains(scenario.compensation, "none")))
+    rows.append(("Actuators", chains(scenario.actuators, "ideal")))
     rows.append(("Disturbance", described(scenario.disturbance)))
     units = {port.name: port.motion_unit for port in scenario.plant.ports}
     limits = [f"|{port}| < {plain_number(limit)} {units[port]}" for port, limit in task.constraint.items()]
@@ -47,6 +48,12 @@ def facts(result: Result) -> list[tuple[str, str]]:
     rows.append(("Trials", f"{task.trials} of {plain_number(task.trial_duration)} s, {task.start}"))
     rows.append(("Numerics", f"{numerics.discretisation}, {numerics.modes} modes, step {plain_number(1000 * numerics.step)} ms"))
     return [*rows, ("Version", f"dampen {result.version}")]
+
+
+def chains(by_port: Mapping[str, Sequence[Stage]], nothing: str) -> str:
+    """The kinds in the chain of each port."""
+    kinds = {port: ", ".join(kind_of(stage) or type(stage).__name__ for stage in chain) for port, chain in by_port.items()}
+    return "; ".join(f"{port}: {chain or nothing}" for port, chain in kinds.items()) or nothing
 
 
 def described(component: Component) -> str:

@@ -7,9 +7,19 @@ import inspect
 from pathlib import Path
 
 from dampen.actuators.backlash import Backlash
+from dampen.actuators.bouc_wen import BoucWen
+from dampen.actuators.dead_zone import DeadZone
+from dampen.actuators.effectiveness import Effectiveness
+from dampen.actuators.first_order_lag import FirstOrderLag
 from dampen.actuators.ideal import Ideal
+from dampen.actuators.prandtl_ishlinskii import PrandtlIshlinskii
+from dampen.actuators.rate_limit import RateLimit
+from dampen.actuators.saturation import Saturation
 from dampen.component import ArgumentError, Component, suggestion
 from dampen.controllers.base import Controller
+from dampen.controllers.compensation.backlash_inverse import BacklashInverse
+from dampen.controllers.compensation.dead_zone_inverse import DeadZoneInverse
+from dampen.controllers.compensation.prandtl_ishlinskii_inverse import PrandtlIshlinskiiInverse
 from dampen.controllers.dual_loop_ailc import DualLoopAILC
 from dampen.controllers.none import NoControl
 from dampen.disturbances.base import Disturbance
@@ -22,11 +32,18 @@ from dampen.stage import Stage
 
 KINDS: dict[str, tuple[type[Component], ...]] = {
     "plant": (TimoshenkoBeam,),
-    "actuator": (Ideal, Backlash),
+    "actuator": (Ideal, Backlash, Saturation, DeadZone, PrandtlIshlinskii, BoucWen, FirstOrderLag, RateLimit, Effectiveness),
+    "compensation": (DeadZoneInverse, BacklashInverse, PrandtlIshlinskiiInverse),
     "disturbance": (NoDisturbance, HarmonicFamilies),
     "controller": (NoControl, DualLoopAILC),
 }
-FAMILIES: dict[str, type[Component]] = {"plant": Plant, "actuator": Stage, "disturbance": Disturbance, "controller": Controller}
+FAMILIES: dict[str, type[Component]] = {
+    "plant": Plant,
+    "actuator": Stage,
+    "compensation": Stage,
+    "disturbance": Disturbance,
+    "controller": Controller,
+}
 
 
 def find_kind(table: str, kind: object, where: str, folder: Path) -> type[Component]:

@@ -16,10 +16,11 @@ from dampen.disturbances.none import NoDisturbance
 from dampen.scenarios.kinds import FAMILIES, KINDS, find_kind
 from dampen.simulation.scenario import Numerics, Output, Scenario, Task
 from dampen.stage import Stage
+from dampen.toml import CHAINS
 
 Table = dict[str, Any]
 TABLES = {"task": Task, "numerics": Numerics, "output": Output}
-TOP = ("name", "title", "claims", "plant", "disturbance", "actuator", "controller", "bounds", *TABLES)
+TOP = ("name", "title", "claims", "plant", "disturbance", "actuator", "compensation", "controller", "bounds", *TABLES)
 BARE_WORD = re.compile(r"[A-Za-z][\w:.-]*")
 
 
@@ -143,7 +144,8 @@ class Builder:
         for name, cls in TABLES.items():
             parts[name] = attempt(self.component, cls, table.get(name, {}), name)
         parts["bounds"] = attempt(_mapping, table.get("bounds", {}), "bounds")
-        parts["actuators"] = attempt(self.chains, table.get("actuator", {}), "actuator", parts["plant"])
+        for name, key in CHAINS.items():
+            parts[name] = attempt(self.chains, table.get(key, {}), key, parts["plant"])
         if faults:
             raise ArgumentError(faults)
         return Scenario(**parts)

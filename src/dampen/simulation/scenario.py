@@ -59,9 +59,10 @@ class Output(Component):
 class Scenario(Component):
     """One experiment: plant, actuators, disturbance, controller, task, stated bounds, numerics and output.
 
-    actuators: for each port its chain of stages; a port that is left out has an ideal actuator.
-    bounds:    what the controller is told of the disturbances: by port name [N, N m], and "f" for the load [N/m].
-    claims:    name of a set of claims that the run is to be held against.
+    actuators:    for each port its chain of stages; a port that is left out has an ideal actuator.
+    compensation: for each port the stages before it, on the controller's side: inverses of what the actuator is taken for.
+    bounds:       what the controller is told of the disturbances: by port name [N, N m], and "f" for the load [N/m].
+    claims:       name of a set of claims that the run is to be held against.
     """
 
     plant: Plant
@@ -71,6 +72,7 @@ class Scenario(Component):
     numerics: Numerics = field(default_factory=Numerics)
     output: Output = field(default_factory=Output)
     actuators: dict[str, tuple[Stage, ...]] = field(default_factory=dict)
+    compensation: dict[str, tuple[Stage, ...]] = field(default_factory=dict)
     bounds: dict[str, NonNegative] = field(default_factory=dict)
     name: str = "unnamed"
     title: str = ""
@@ -80,7 +82,8 @@ class Scenario(Component):
         if not NAME.fullmatch(self.name):
             raise wrong("name", "be 1 to 60 letters, digits, dots, dashes or underscores, since it names a folder", self.name)
         names = [port.name for port in self.plant.ports]
-        for table, known in (("task.constraint", names), ("bounds", ["f", *names]), ("actuators", names)):
+        tables = {"task.constraint": names, "bounds": ["f", *names], "actuators": names, "compensation": names}
+        for table, known in tables.items():
             given: Mapping[str, object] = self.task.constraint if table == "task.constraint" else getattr(self, table)
             for key in given:
                 if key not in known:
@@ -128,9 +131,9 @@ class Scenario(Component):
         return Setting(self.plant.ports, self.steps, self.numerics.step, self.plant.span, self.limits, self.bounds)
 
     def chain(self, index: int) -> tuple[Stage, ...]:
-        """All stages between the law and the force at a port: the controller's compensation, then the actuator."""
+        """All stages between law and force at a port: the controller's own compensation, the scenario's, then the actuator."""
         port = self.plant.ports[index]
-        return (*self.controller.compensation(port), *self.actuators.get(port.name, ()))
+        return (*self.controller.compensation(port), *self.compensation.get(port.name, ()), *self.actuators.get(port.name, ()))
 
     def with_controller(self, controller: Controller) -> Scenario:
         """The same experiment under another controller."""

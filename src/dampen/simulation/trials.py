@@ -101,6 +101,7 @@ def trials(scenario: Scenario, bench: Bench, compile: bool = True) -> Iterator[d
     for j in range(scenario.task.trials):
         law = controller.law(memory, setting)
         check_law(law)
+        check_chains(scenario, law)
         ports.damping, ports.barrier = law.damping, law.barrier
         inputs = bench.inputs(j, law)
         done = kernel(modal, bench.step, inputs, ports, stages, every, record)
@@ -134,6 +135,18 @@ def check_law(law: PortLaw) -> None:
         value = getattr(law, name)
         if not np.all(value >= 0):
             raise ArgumentError(f"The controller's `{name}` must be >= 0, but its least value is {np.min(value):g}.")
+
+
+def check_chains(scenario: Scenario, law: PortLaw) -> None:
+    """A stage that is not monotone may only follow a command that does not depend on the force it delivers."""
+    answers = (law.coulomb > 0).any(axis=0) | (law.damping > 0) | (law.barrier > 0)
+    for p, port in enumerate(scenario.plant.ports):
+        for stage in scenario.chain(p):
+            if answers[p] and not stage.monotone:
+                raise ArgumentError(
+                    f"Argument `actuator.{port.name}.chain` must be monotone under a continuous law, but its "
+                    f"{stage.kind or type(stage).__name__} can deliver less for a larger command."
+                )
 
 
 def empty_record(steps: int, ports: int, modes: int, every: int) -> Record:
