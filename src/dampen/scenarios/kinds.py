@@ -69,6 +69,6 @@ def own_class(table: str, kind: str, where: str, folder: Path) -> type[Component
     if not dataclasses.is_dataclass(cls) or "__dataclass_params__" not in cls.__dict__:
         raise ArgumentError(f"Argument `{where}.kind` must name a frozen dataclass, but {kind!r} lacks @dataclass(frozen=True).")
     if inspect.isabstract(cls):
-        missing = ", ".join(sorted(cls.__abstractmethods__))
+        missing = ", ".join(sorted(getattr(cls, "__abstractmethods__", ())))
         raise ArgumentError(f"Argument `{where}.kind` must name a complete class, but {kind!r} does not define {missing}.")
     return cls

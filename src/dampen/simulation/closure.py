@@ -24,6 +24,7 @@ SOFTNESS = 1.0
 RELAXATION = 0.05
 TOLERANCE = 1e-12
 ITERATIONS = 200
+GAPLESS = 1e-17
 
 
 def stage_step(code, command, state, parameters, new_state):
@@ -148,7 +149,8 @@ def barrier_force(port, v, dt):
 def command_for(port, target, near, near_output, far, far_output, stages):
     """The command nearest to `near`, between `near` and `far`, that delivers `target`.
 
-    On a flank of full slope one step from either end lands on it; elsewhere the bracket is halved.
+    On a flank of full slope one step from either end lands on it; elsewhere the bracket is halved. Where A jumps across the
+    target it is the command at the jump: there the port delivers what lies in between, as under a command that chatters.
     """
     scale = abs(target) + abs(far_output) + port.feedthrough * (abs(near) + abs(far))
     low, high = min(near, far), max(near, far)
@@ -161,6 +163,8 @@ def command_for(port, target, near, near_output, far, far_output, stages):
             low = max(low, guess)
         else:
             high = min(high, guess)
+        if high - low <= GAPLESS * (abs(near) + abs(far)):
+            break
         guess = near - (near_output - target) / port.feedthrough if iteration == 0 else 0.5 * (low + high)
     return guess
 
