@@ -400,7 +400,7 @@ def test_the_closure_finds_a_force_that_law_and_actuator_agree_on(
 
     force, command, v = float(port.force), float(port.command), float(port.v_law)
     barrier = closure.barrier_force(port, v_free + g * force, DT)
-    scale = abs(v_free) / g + sum(law) + abs(law[0]) * 2 + abs(command) + abs(barrier)
+    scale = 1e-300 + abs(v_free) / g + sum(law) + abs(law[0]) * 2 + abs(command) + abs(barrier)
     assert v == pytest.approx(v_free + 2 * g * force, abs=1e-12 * (abs(v_free) + g * scale))
     beyond = command - (port.feedforward - port.damping * v - barrier)
     sign = 0.0 if v == 0.0 else math.copysign(1.0, v)

@@ -128,6 +128,8 @@ def still_slips(port, stages, v_free, g, w, h, dt):
             settle(port, output, command, w + h * output, min(0.0, 1 + slope) / (-slope * h))
             return True
         if iteration > 0:
+            if x == x_before or r == r_before:  # steeper than rounding can tell
+                return False
             slope = (r - r_before) / (x - x_before)
         x_before, r_before = x, r
         x -= r / slope
