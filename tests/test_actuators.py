@@ -502,6 +502,14 @@ def test_an_actuator_that_loses_the_constraint_goes_on_to_the_end_and_says_where
         assert energy_account(result).error < 1e-12, name
 
 
+def test_far_too_slow_a_lag_pumps_but_never_to_nothing_finite(bench: Bench) -> None:
+    """Beyond the barrier's edge forces of 1e13 N meet a feedthrough of 5e-5: chaotic, so many neighbours are tried."""
+    for k in range(60):
+        result = run_with(bench, ((), (FirstOrderLag(10.0 * (1 + 1e-4 * k)),)), False)
+        assert result.status == "complete", k
+        assert not any("did not settle" in line for line in result.warnings), k
+
+
 def test_a_compiled_run_equals_the_plain_one_through_every_kind_of_stage() -> None:
     case = scenario("task.trials=2", "task.trial_duration=0.05", "numerics.modes=10", "output.every=1")
     chain = (

@@ -84,7 +84,7 @@ def port_force(port, stages, v_free, g, dt):
             over, over_r = x, r
         if iteration < 8 and over_r != 0.0:
             x = slip - slip_r * (over - slip) / (over_r - slip_r)
-        else:
+        if iteration >= 8 or over_r == 0.0 or x == slip or x == over:
             x = 0.5 * (slip + over)
         if x == slip or x == over:
             break
