@@ -1,7 +1,15 @@
 """Boundary control and iterative learning control of vibrating structures."""
 
+from dampen.actuators.absent import Absent as Absent
 from dampen.actuators.backlash import Backlash as Backlash
+from dampen.actuators.bouc_wen import BoucWen as BoucWen
+from dampen.actuators.dead_zone import DeadZone as DeadZone
+from dampen.actuators.effectiveness import Effectiveness as Effectiveness
+from dampen.actuators.first_order_lag import FirstOrderLag as FirstOrderLag
 from dampen.actuators.ideal import Ideal as Ideal
+from dampen.actuators.prandtl_ishlinskii import PrandtlIshlinskii as PrandtlIshlinskii
+from dampen.actuators.rate_limit import RateLimit as RateLimit
+from dampen.actuators.saturation import Saturation as Saturation
 from dampen.component import ArgumentError as ArgumentError
 from dampen.controllers.adaptive_boundary import AdaptiveBoundary as AdaptiveBoundary
 from dampen.controllers.base import Controller as Controller
@@ -10,6 +18,9 @@ from dampen.controllers.base import SampledFeedback as SampledFeedback
 from dampen.controllers.base import Setting as Setting
 from dampen.controllers.base import Trial as Trial
 from dampen.controllers.boundary_damping import BoundaryDamping as BoundaryDamping
+from dampen.controllers.compensation.backlash_inverse import BacklashInverse as BacklashInverse
+from dampen.controllers.compensation.dead_zone_inverse import DeadZoneInverse as DeadZoneInverse
+from dampen.controllers.compensation.prandtl_ishlinskii_inverse import PrandtlIshlinskiiInverse as PrandtlIshlinskiiInverse
 from dampen.controllers.dual_loop_ailc import DualLoopAILC as DualLoopAILC
 from dampen.controllers.inner_loop import AssumedBacklash as AssumedBacklash
 from dampen.controllers.lqg import LQG as LQG

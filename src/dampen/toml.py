@@ -9,25 +9,25 @@ from typing import Any
 
 from dampen.component import Component, own_name, parameters
 
+CHAINS = {"actuators": "actuator", "compensation": "compensation"}  # for each port a chain: field of a scenario, table of a file
+
 
 def to_toml(scenario: Component) -> str:
     """A scenario as a TOML file that reads back to the same scenario."""
     lines: list[str] = []
-    tables, chains = {"actuators": "actuator", "compensation": "compensation"}, []
     for f in fields(scenario):
         value = getattr(scenario, f.name)
-        if f.name not in tables and not isinstance(value, Component | Mapping) and value not in (None, ""):
+        if not isinstance(value, Component | Mapping) and value not in (None, ""):
             lines.append(f"{f.name} = {literal(value)}")
     for f in fields(scenario):
         value = getattr(scenario, f.name)
-        if f.name in tables:
-            chains += [(f"{tables[f.name]}.{port}", chain) for port, chain in value.items()]
-        elif isinstance(value, Component):
+        if isinstance(value, Component):
             lines += _table(f.name, value)
-        elif isinstance(value, Mapping) and value:
+        elif isinstance(value, Mapping) and f.name not in CHAINS and value:
             lines += ["", f"[{f.name}]", *(f"{key} = {literal(v)}" for key, v in value.items())]
-    for name, chain in chains:
-        lines += ["", f"[{name}]", f"chain = {literal(chain)}"]
+    for name, table in CHAINS.items():
+        for port, chain in getattr(scenario, name, {}).items():
+            lines += ["", f"[{table}.{port}]", f"chain = {literal(chain)}"]
     return "\n".join(lines) + "\n"
 
 

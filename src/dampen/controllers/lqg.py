@@ -62,9 +62,9 @@ class LQG(SampledFeedback):
         the filter is optimal for white forces of `force_noise` at the ports, held from sample to sample, and for white
         `sensor_noise` on the readings
 
-    A delay is part of the model, and so is the slope of the actuators in full motion. A reference is fed forward so that the model comes to rest on it. What the model leaves out
-    is not seen by the design: spillover shows in the run. Source: Franklin, Powell and Workman, Digital Control of Dynamic
-    Systems, 1998, ch. 9.
+    A delay is part of the model, and so is the slope of the actuators in full motion. A reference is fed forward so that the
+    model comes to rest on it. What the model leaves out is not seen by the design: spillover shows in the run. Source:
+    Franklin, Powell and Workman, Digital Control of Dynamic Systems, 1998, ch. 9.
     """
 
     kind: ClassVar[str] = "lqg"

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -11,6 +12,7 @@ from dampen.component import Component, parameters
 from dampen.report.joined import uncontrolled
 from dampen.report.style import MINUS, number, plain_number
 from dampen.simulation.result import Result
+from dampen.stage import Stage
 from dampen.toml import kind_of, literal
 
 
@@ -38,10 +40,9 @@ def facts(result: Result) -> list[tuple[str, str]]:
     """What was run, in a few words each."""
     scenario, numerics, task = result.scenario, result.scenario.numerics, result.scenario.task
     rows = [("Plant", described(scenario.plant)), ("Controller", described(scenario.controller))]
-    chains = {
-        port: ", ".join(kind_of(stage) or type(stage).__name__ for stage in chain) for port, chain in scenario.actuators.items()
-    }
-    rows.append(("Actuators", "; ".join(f"{port}: {chain or 'ideal'}" for port, chain in chains.items()) or "ideal"))
+    if scenario.compensation:
+        rows.append(("Compensation", chains(scenario.compensation, "none")))
+    rows.append(("Actuators", chains(scenario.actuators, "ideal")))
     rows.append(("Disturbance", described(scenario.disturbance)))
     units = {port.name: port.motion_unit for port in scenario.plant.ports}
     low, high = (limit[0] for limit in scenario.limits())
@@ -57,6 +58,12 @@ def _limit(port: str, low: float, high: float, unit: str) -> str:
     if low == -high:
         return f"|{port}| < {plain_number(high)} {unit}"
     return f"{plain_number(low)} < {port} < {plain_number(high)} {unit}"
+
+
+def chains(by_port: Mapping[str, Sequence[Stage]], nothing: str) -> str:
+    """The kinds in the chain of each port."""
+    kinds = {port: ", ".join(kind_of(stage) or type(stage).__name__ for stage in chain) for port, chain in by_port.items()}
+    return "; ".join(f"{port}: {chain or nothing}" for port, chain in kinds.items()) or nothing
 
 
 def described(component: Component) -> str:

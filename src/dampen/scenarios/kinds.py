@@ -6,12 +6,23 @@ import dataclasses
 import inspect
 from pathlib import Path
 
+from dampen.actuators.absent import Absent
 from dampen.actuators.backlash import Backlash
+from dampen.actuators.bouc_wen import BoucWen
+from dampen.actuators.dead_zone import DeadZone
+from dampen.actuators.effectiveness import Effectiveness
+from dampen.actuators.first_order_lag import FirstOrderLag
 from dampen.actuators.ideal import Ideal
+from dampen.actuators.prandtl_ishlinskii import PrandtlIshlinskii
+from dampen.actuators.rate_limit import RateLimit
+from dampen.actuators.saturation import Saturation
 from dampen.component import ArgumentError, Component, suggestion
 from dampen.controllers.adaptive_boundary import AdaptiveBoundary
 from dampen.controllers.base import Controller
 from dampen.controllers.boundary_damping import BoundaryDamping
+from dampen.controllers.compensation.backlash_inverse import BacklashInverse
+from dampen.controllers.compensation.dead_zone_inverse import DeadZoneInverse
+from dampen.controllers.compensation.prandtl_ishlinskii_inverse import PrandtlIshlinskiiInverse
 from dampen.controllers.dual_loop_ailc import DualLoopAILC
 from dampen.controllers.lqg import LQG
 from dampen.controllers.none import NoControl
@@ -47,7 +58,19 @@ from dampen.stage import Stage
 
 KINDS: dict[str, tuple[type[Component], ...]] = {
     "plant": (TimoshenkoBeam, EulerBernoulliBeam, FlexibleArm, String, Assembled),
-    "actuator": (Ideal, Backlash),
+    "actuator": (
+        Ideal,
+        Absent,
+        Backlash,
+        Saturation,
+        DeadZone,
+        PrandtlIshlinskii,
+        BoucWen,
+        FirstOrderLag,
+        RateLimit,
+        Effectiveness,
+    ),
+    "compensation": (DeadZoneInverse, BacklashInverse, PrandtlIshlinskiiInverse),
     "disturbance": (
         NoDisturbance,
         HarmonicFamilies,
@@ -77,6 +100,7 @@ KINDS: dict[str, tuple[type[Component], ...]] = {
 FAMILIES: dict[str, type[Component]] = {
     "plant": Plant,
     "actuator": Stage,
+    "compensation": Stage,
     "disturbance": Disturbance,
     "controller": Controller,
     "signal": Signal,

@@ -19,6 +19,7 @@ from dampen.simulation.sampling import Sampling
 from dampen.simulation.scenario import Numerics, Output, Scenario
 from dampen.simulation.task import Task
 from dampen.stage import Stage
+from dampen.toml import CHAINS
 
 Table = dict[str, Any]
 TABLES: dict[str, type[Component]] = {"task": Task, "sampling": Sampling, "numerics": Numerics, "output": Output}
@@ -175,7 +176,7 @@ class Builder:
         for name, cls in TABLES.items():
             parts[name] = attempt(self.component, cls, table.get(name, {}), name)
         parts["bounds"] = attempt(_mapping, table.get("bounds", {}), "bounds")
-        for name, key in (("actuators", "actuator"), ("compensation", "compensation")):
+        for name, key in CHAINS.items():
             parts[name] = attempt(self.chains, table.get(key, {}), key, parts["plant"])
         if faults:
             raise ArgumentError(faults)

@@ -25,6 +25,8 @@ SOFTNESS = 1.0
 RELAXATION = 0.05
 TOLERANCE = 1e-12
 ITERATIONS = 200
+GAPLESS = 1e-17
+ROUNDING = 1e-16  # of the force that would stop the port: smaller forces cannot be told from none
 
 
 def stage_step(code, command, state, parameters, new_state):
@@ -74,7 +76,7 @@ def port_force(port, stages, v_free, g, dt):
         command = slip_command(port, sign, w + h * x, v_free + g * x, dt)
         output = through(port, command, stages)
         r = output - x
-        if abs(r) <= TOLERANCE * (abs(output) + abs(x)):
+        if abs(r) <= TOLERANCE * (abs(output) + abs(x)) + ROUNDING * abs(hold):
             contraction = min(abs(1 + (over_r - slip_r) / (over - slip)), 1.0)
             settle(port, output, command, w + h * output, -contraction / (h * (1 + contraction)))
             return
@@ -84,7 +86,7 @@ def port_force(port, stages, v_free, g, dt):
             over, over_r = x, r
         if iteration < 8 and over_r != 0.0:
             x = slip - slip_r * (over - slip) / (over_r - slip_r)
-        else:
+        if iteration >= 8 or over_r == 0.0 or x == slip or x == over:
             x = 0.5 * (slip + over)
         if x == slip or x == over:
             break
@@ -128,6 +130,8 @@ def still_slips(port, stages, v_free, g, w, h, dt):
             settle(port, output, command, w + h * output, min(0.0, 1 + slope) / (-slope * h))
             return True
         if iteration > 0:
+            if x == x_before or r == r_before:  # steeper than rounding can tell
+                return False
             slope = (r - r_before) / (x - x_before)
         x_before, r_before = x, r
         x -= r / slope
@@ -150,7 +154,8 @@ def potential_force(port, v, dt):
 def command_for(port, target, near, near_output, far, far_output, stages):
     """The command nearest to `near`, between `near` and `far`, that delivers `target`.
 
-    On a flank of full slope one step from either end lands on it; elsewhere the bracket is halved.
+    On a flank of full slope one step from either end lands on it; elsewhere the bracket is halved. Where A jumps across the
+    target it is the command at the jump: there the port delivers what lies in between, as under a command that chatters.
     """
     scale = abs(target) + abs(far_output) + port.feedthrough * (abs(near) + abs(far))
     low, high = min(near, far), max(near, far)
@@ -163,6 +168,8 @@ def command_for(port, target, near, near_output, far, far_output, stages):
             low = max(low, guess)
         else:
             high = min(high, guess)
+        if high - low <= GAPLESS * (abs(near) + abs(far)):
+            break
         guess = near - (near_output - target) / port.feedthrough if iteration == 0 else 0.5 * (low + high)
     return guess
 

@@ -31,7 +31,7 @@ def bind(function: Callable[..., Any], **names: Any) -> FunctionType:
 def compiled(function: Callable[..., Any]) -> Any:
     """`function` and all plain functions that it calls, compiled by numba; call it like the plain one."""
     assert isinstance(function, FunctionType)
-    dispatcher = _jit(function, inline=False)(_with_compiled_callees(function))
+    dispatcher = _jit(function, inline=False)(_with_compiled_callees(function, {}))
     _cache_under(dispatcher, _key(function))
     return dispatcher
 
@@ -57,8 +57,14 @@ def _jit(function: FunctionType, inline: bool) -> Any:
     return numba.njit(**options, forceinline=True) if inline else numba.njit(**options)
 
 
-def _with_compiled_callees(function: FunctionType) -> FunctionType:
-    return bind(function, **{name: _jit(f, inline=True)(_with_compiled_callees(f)) for name, f in _callees(function)})
+def _with_compiled_callees(function: FunctionType, done: dict[str, Any]) -> FunctionType:
+    compiled_callees = {}
+    for name, f in _callees(function):
+        key = _key(f)  # the same function, bound in several places, is compiled once
+        if key not in done:
+            done[key] = _jit(f, inline=True)(_with_compiled_callees(f, done))
+        compiled_callees[name] = done[key]
+    return bind(function, **compiled_callees)
 
 
 def _callees(function: FunctionType) -> Iterator[tuple[str, FunctionType]]:
@@ -76,7 +82,7 @@ def _key(function: FunctionType) -> str:
     digest = hashlib.sha256()
 
     def add_code(code: CodeType) -> None:
-        digest.update(code.co_code)
+        digest.update(code.co_code + repr(code.co_names).encode())
         for constant in code.co_consts:
             add_code(constant) if isinstance(constant, CodeType) else digest.update(repr(constant).encode())
 

@@ -9,7 +9,7 @@ the ports are coupled. Should rounds ever cycle, plain sweeps take over, which a
 
 from __future__ import annotations
 
-from dampen.simulation.closure import confirm, port_force
+from dampen.simulation.closure import confirm, port_force, through
 
 NEWTON_ROUNDS = 20
 ROUNDS = 300
@@ -32,9 +32,13 @@ def close_ports(ports, stages, g, coupling, dt):
             for r in range(PORTS):
                 moved = abs(g[r, p] * (ports[p].force - predicted))
                 settled &= r == p or moved <= SETTLED * g[r, r] * (abs(ports[r].force) + abs(predicted))
-        if settled or unmoved(ports):
+        if settled:
             return True
-    return False
+        if unmoved(ports):
+            break
+    for p in range(PORTS):  # what was tried last is not what was found: lead the stages to where the command found leads them
+        through(ports[p], ports[p].command, stages)
+    return unmoved(ports)
 
 
 def unmoved(ports):

@@ -52,9 +52,9 @@ class Scenario(Component):
     """One experiment: plant, actuators, disturbance, controller, task, stated bounds, sampling, numerics and output.
 
     actuators:    for each port its chain of stages; a port that is left out has an ideal actuator.
-    compensation: for each port the controller's own chain in front of it, built on its own idea of the actuator.
-    bounds:    what the controller is told of the disturbances: by port name [N, N m], and "f" for the load [N/m].
-    claims:    name of a set of claims that the run is to be held against.
+    compensation: for each port the stages before it, on the controller's side: inverses of what the actuator is taken for.
+    bounds:       what the controller is told of the disturbances: by port name [N, N m], and "f" for the load [N/m].
+    claims:       name of a set of claims that the run is to be held against.
     """
 
     plant: Plant
@@ -183,7 +183,7 @@ class Scenario(Component):
         return self.task.limits(self.ports, self.times, trial)
 
     def chain(self, index: int) -> tuple[Stage, ...]:
-        """All stages between the law and the force at a port: the controller's compensation, then the actuator."""
+        """All stages between law and force at a port: the controller's own compensation, the scenario's, then the actuator."""
         port = self.plant.ports[index]
         own = self.controller.compensation(port)
         return (*own, *self.compensation.get(port.name, ()), *self.actuators.get(port.name, ()))
