@@ -11,7 +11,6 @@ from typing import Any
 
 import numpy as np
 import pytest
-from dampen.simulation.bench import Bench
 from hypothesis import given, settings
 from hypothesis import strategies as st
 from scipy.integrate import solve_ivp
@@ -35,6 +34,7 @@ from dampen.analysis.energy import energy_account
 from dampen.scenarios.kinds import KINDS
 from dampen.scenarios.read import build, parse
 from dampen.simulation import closure
+from dampen.simulation.bench import Bench
 from dampen.simulation.compiled import _key, bind, compiled
 from dampen.simulation.kernel import PORT, STAGE
 from dampen.stage import Stage
@@ -258,9 +258,7 @@ def test_bouc_wen_is_monotone_exactly_where_it_says_so(beta: float, gamma: float
 def test_a_bouc_wen_that_is_not_monotone_may_only_follow_a_held_command() -> None:
     case = scenario("task.trials=1", "task.trial_duration=0.01", "numerics.modes=10", "output.every=1")
     steep = dataclasses.replace(case, actuators={"tip_w": (BoucWen(hysteresis=-3.0),)})
-    with pytest.raises(
-        dampen.ArgumentError, match=r"`actuator.tip_w` has a BoucWen whose output can fall as its command rises"
-    ):
+    with pytest.raises(dampen.ArgumentError, match=r"`actuator.tip_w` has a BoucWen whose output can fall as its command rises"):
         dampen.simulate(steep, compile=False)
     assert dampen.simulate(steep.with_controller(dampen.NoControl()), compile=False).status == "complete"
 
