@@ -2,6 +2,7 @@
 
 from dampen.actuators.backlash import Backlash as Backlash
 from dampen.actuators.ideal import Ideal as Ideal
+from dampen.analysis.sampling_cost import sampling_cost as sampling_cost
 from dampen.component import ArgumentError as ArgumentError
 from dampen.controllers.adaptive_boundary import AdaptiveBoundary as AdaptiveBoundary
 from dampen.controllers.base import Controller as Controller

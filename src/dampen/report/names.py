@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from dampen.report.style import plain_number, symbol
+from dampen.report.style import plain_number, plain_text, symbol
 from dampen.simulation.result import Result
 
 
@@ -40,12 +40,17 @@ def port_names(run: Result, name: str) -> PortNames:
     kind = "rotation" if motion == "rad" else "displacement"
     effort_words = "delivered torque" if effort == "N m" else "delivered force"
     if port.field not in [field for field, _ in run.scenario.plant.fields]:
-        return PortNames(index, f"{kind} at {name}", "", f"{kind} at {name}", motion, effort, effort_words)
+        return PortNames(index, plain_text(f"{kind} at {name}"), "", f"{kind} at {name}", motion, effort, effort_words)
     at_tip = port.x == run.scenario.plant.span
     place = "L, t" if at_tip else rf"{plain_number(port.x)}\,\mathrm{{m}}, t"
     text = f"{port.field}({'L' if at_tip else plain_number(port.x) + ' m'}, t)"
     words = f"tip {kind}" if at_tip else kind
     return PortNames(index, words, symbol(port.field, place), text, motion, effort, effort_words)
+
+
+def tracked(run: Result, name: str) -> bool:
+    """Whether the port `name` has something to follow."""
+    return name in run.scenario.task.reference
 
 
 def field_unit(run: Result, name: str) -> str:

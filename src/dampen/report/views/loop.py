@@ -1,0 +1,128 @@
+"""Delivered force against command: what play, hysteresis, dead zone, lag and saturation do, the ideal line behind."""
+
+from __future__ import annotations
+
+from math import prod
+from typing import Any
+
+import numpy as np
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+
+from dampen.report.axes import BOTTOM, LEFT, legend_row, panel, sheet
+from dampen.report.joined import blocks
+from dampen.report.names import PortNames, port_names
+from dampen.report.style import DOUBLE, INK, LEARNED, SINGLE, SMALL, colour, percent, plain_number, quantity
+from dampen.simulation.result import Result
+
+Pair = tuple[np.ndarray, np.ndarray]
+DRAWN = 1500
+SIDE = 2.5
+IDEAL = "#C4C4C4"
+
+
+def draw_loop(of: str, run: Result, other: Result | None) -> tuple[Figure, str]:
+    """The loop at the port `of` in the first and, beside it on its own scale, in the last trial."""
+    port, last = port_names(run, of), run.trials - 1
+    ink, width = colour(port.effort), DOUBLE if run.trials > 1 else SINGLE
+    figure = sheet(width, SIDE + BOTTOM + 0.3)
+    handles: list[Any] = []
+    for j, right in ((0, width - LEFT - SIDE - 0.35), (last, 0.12))[: run.trials]:
+        axes = panel(figure, left=width - right - SIDE - 0.35, right=right, top=0.3)
+        pair = loop(run, j, port.index)
+        low, high = (2 * end for end in (min(pair[0].min(), 0.0), max(pair[0].max(), 0.0)))
+        ideal = _ideal(axes, run, port.index, np.array([low, high]))
+        drawn = axes.plot(*thinned(*pair), color=ink if j == 0 else LEARNED, lw=0.7, label=f"trial {j}", zorder=2)
+        handles += drawn if j != last else drawn + ideal
+        axes.set_xlim(*_margins(pair[0]))
+        axes.set_ylim(*_margins(pair[1]))
+        _axes_words(axes, port)
+        note = f"up to {quantity(float(np.abs(pair[1] - gain(run, port.index) * pair[0]).max()), port.effort)} off"
+        axes.text(0.97, 0.04, note, transform=axes.transAxes, ha="right", va="bottom", fontsize=SMALL)
+    legend_row(figure, handles)
+    return figure, _sentence(port, run)
+
+
+def both_loops(axes: Axes, port: PortNames, run: Result, ink: str) -> list[Any]:
+    """The loops of the first and of the last trial on top of each other, with the ideal line; returns the legend's handles."""
+    last = run.trials - 1
+    first, final = loop(run, 0, port.index), loop(run, last, port.index)
+    ends = 2 * np.array([min(first[0].min(), final[0].min()), max(first[0].max(), final[0].max())])
+    ideal = _ideal(axes, run, port.index, ends)
+    handles = axes.plot(*thinned(*first), color=ink, lw=0.7, label="trial 0", zorder=2)
+    if last:
+        handles += axes.plot(*thinned(*final), color=LEARNED, lw=0.5, label=f"trial {last}", zorder=3)
+    _around(axes, first, final)
+    _axes_words(axes, port)
+    return handles + ideal
+
+
+def loop(run: Result, trial: int, index: int) -> Pair:
+    """Command and delivered force of a trial, (steps,) each."""
+    command, delivered = (np.asarray(run[name][trial])[:, index] for name in ("command", "delivered"))
+    return command, delivered
+
+
+def gain(run: Result, index: int) -> float:
+    """Slope of the delivered force against the law's value in full motion: the actuator without its play."""
+    return float(prod(stage.gain for stage in run.scenario.chain(index)))
+
+
+def departure(run: Result, index: int) -> float:
+    """Largest distance of the delivered force from the ideal actuator's over the run [N, N m]."""
+    slope, off = gain(run, index), 0.0
+    for (_, given), (_, got) in zip(blocks(run, "command", index), blocks(run, "delivered", index), strict=True):
+        off = max(off, float(np.abs(got - slope * given).max()))
+    return off
+
+
+def _ideal(axes: Axes, run: Result, index: int, ends: np.ndarray) -> list[Any]:
+    slope = gain(run, index)
+    return axes.plot(ends, slope * ends, color=IDEAL, lw=3, label=f"ideal, slope {plain_number(slope)}", zorder=1)
+
+
+def _axes_words(axes: Axes, port: PortNames) -> None:
+    axes.set_xlabel(f"command [{port.effort}]")
+    axes.set_ylabel(f"delivered [{port.effort}]", labelpad=1)
+    axes.axhline(0, color=INK, lw=0.3, zorder=0)
+    axes.axvline(0, color=INK, lw=0.3, zorder=0)
+    axes.locator_params(nbins=5)
+
+
+def _margins(values: np.ndarray) -> tuple[float, float]:
+    low, high = float(values.min()), float(values.max())
+    margin = 0.06 * (high - low) or 1.0
+    return low - margin, high + margin
+
+
+def _around(axes: Axes, first: Pair, final: Pair) -> None:
+    """Both loops; where the last would be lost in the first's range, its surroundings, and the first is cut there."""
+    limits = []
+    for wide, narrow in zip(first, final, strict=True):
+        low, high = float(narrow.min()), float(narrow.max())
+        margin = 0.35 * (high - low)
+        if not 0 < 2 * (high - low) < np.ptp(wide):
+            low, high = min(low, float(wide.min())), max(high, float(wide.max()))
+            margin = 0.06 * (high - low) or 1.0
+        limits.append((low - margin, high + margin))
+    axes.set_xlim(limits[0])
+    axes.set_ylim(limits[1])
+
+
+def thinned(x: np.ndarray, y: np.ndarray) -> Pair:
+    """The path without the points at which nothing moved by a visible amount."""
+    scale = max(float(np.ptp(x)), float(np.ptp(y))) / DRAWN or 1.0
+    cells = np.round(np.stack([x, y]) / scale)
+    moved = np.concatenate([[True], np.any(np.diff(cells, axis=1) != 0, axis=0)])
+    moved[-1] = True
+    return x[moved], y[moved]
+
+
+def _sentence(port: PortNames, run: Result) -> str:
+    last = run.trials - 1
+    text = f"The {port.effort_words} differs from the ideal actuator's by {quantity(departure(run, port.index), port.effort)} at most"
+    command, delivered = loop(run, last, port.index)
+    reach, off = float(np.abs(delivered).max()), float(np.abs(delivered - gain(run, port.index) * command).max())
+    if reach > 0:
+        text += f"; in trial {last} by {quantity(off, port.effort)}, {percent(off / reach)} of the largest force delivered there"
+    return text + "."
