@@ -8,13 +8,13 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from dampen.simulation.bench import Bench
 
 import dampen
 from dampen.analysis.energy import energy_account
 from dampen.disturbances.lines import cosines
 from dampen.recording import Recording
 from dampen.scenarios.read import build, parse
+from dampen.simulation.bench import Bench
 from dampen.toml import to_toml
 from tests.conftest import scenario
 

@@ -10,11 +10,17 @@ from dampen.analysis.metrics import field_rms, fraction_of_limit, port_index, tr
 from dampen.simulation.result import Result
 
 Array = np.ndarray
+METRICS = {
+    "chatter": "total variation of the command over the run",
+    "margin": "1 - largest share of the constraint that was used",
+    "residual": "root mean square in the last trial, of the error where there is a reference",
+    "effort": "root mean square of the delivered force over the run",
+}
 
 
 @dataclass(frozen=True)
 class Cost:
-    """One row of the comparison. metric: "chatter", "margin", "residual" or "effort"; of: the port or field it is taken at."""
+    """One row of the comparison. metric: one of METRICS, which tells its meaning; of: the port or field it is taken at."""
 
     metric: str
     of: str
@@ -48,7 +54,9 @@ def sampling_cost(sampled: Result, continuous: Result) -> list[Cost]:
         return []
     ports, fields, last = sampled.scenario.plant.ports, sampled.scenario.plant.fields, trials - 1
     rows = [Cost("chatter", p.name, p.effort_unit, *(chatter(run, p.name, trials) for run in runs)) for p in ports]
-    rows += [Cost("margin", p.name, "", *(margin(run, p.name, trials) for run in runs)) for p in ports if limited(sampled, p.name)]
+    rows += [
+        Cost("margin", p.name, "", *(margin(run, p.name, trials) for run in runs)) for p in ports if limited(sampled, p.name)
+    ]
     rows += [Cost("residual", name, unit, *(field_rms(run, name, last) for run in runs)) for name, unit in fields]
     rows += [Cost("residual", p.name, p.motion_unit, *(_rms(tracking_error(run, p.name, last)) for run in runs)) for p in ports]
     rows += [Cost("effort", p.name, p.effort_unit, *(effort(run, p.name, trials) for run in runs)) for p in ports]

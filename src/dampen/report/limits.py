@@ -1,4 +1,4 @@
-"""A port's constraint, as curves to draw and in words: symmetric or uneven, fixed or moving, of the displacement or of the error."""
+"""A port's constraint, as curves and in words: symmetric or uneven, fixed or moving, of the displacement or of the error."""
 
 from __future__ import annotations
 

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
@@ -38,7 +40,9 @@ def draw_error(of: str, run: Result, other: Result | None) -> tuple[Figure, str]
     words = "error of" if tracked(run, of) else ""
     everything = np.concatenate(shown)
     if np.any(everything > 0):
-        log_axis(axes, f"{words} {port.label} [{port.motion}]".strip(), 0.4 * everything[everything > 0].min(), 1.8 * everything.max())
+        log_axis(
+            axes, f"{words} {port.label} [{port.motion}]".strip(), 0.4 * everything[everything > 0].min(), 1.8 * everything.max()
+        )
     else:
         value_axis(axes, f"{words} {port.label}".strip(), port.motion)
     if run.trials > 2 and rms[-1] > 0:
@@ -49,11 +53,17 @@ def draw_error(of: str, run: Result, other: Result | None) -> tuple[Figure, str]
     return figure, _sentence(port, run, behind, of, rms, peaks)
 
 
-def _curves(axes: Axes, rms: np.ndarray, peaks: np.ndarray, ink: str, name: str, order: int) -> list:  # type: ignore[type-arg]
+def _curves(axes: Axes, rms: np.ndarray, peaks: np.ndarray, ink: str, name: str, order: int) -> list[Any]:
     """RMS as a full line, peak as a dashed one."""
     few = len(rms) <= MARKED
     trials, prefix = np.arange(len(rms)), f"{name}: " if name else ""
-    style = {"color": ink, "lw": 0.9 if not name else 0.7, "mfc": "white" if name else ink, "mew": 0.7, "zorder": order}
+    style: dict[str, Any] = {
+        "color": ink,
+        "lw": 0.9 if not name else 0.7,
+        "mfc": "white" if name else ink,
+        "mew": 0.7,
+        "zorder": order,
+    }
     full = axes.plot(trials, _positive(rms), marker="o" if few else "", ms=3, label=name or "RMS", **style)
     style |= {"mfc": "white", "ls": DASHES}
     return full + axes.plot(trials, _positive(peaks), marker="^" if few else "", ms=3.2, label=f"{prefix}peak", **style)

@@ -120,7 +120,8 @@ def thinned(x: np.ndarray, y: np.ndarray) -> Pair:
 
 def _sentence(port: PortNames, run: Result) -> str:
     last = run.trials - 1
-    text = f"The {port.effort_words} differs from the ideal actuator's by {quantity(departure(run, port.index), port.effort)} at most"
+    most = quantity(departure(run, port.index), port.effort)
+    text = f"The {port.effort_words} differs from the ideal actuator's by {most} at most"
     command, delivered = loop(run, last, port.index)
     reach, off = float(np.abs(delivered).max()), float(np.abs(delivered - gain(run, port.index) * command).max())
     if reach > 0:

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 import numpy as np
 from matplotlib.figure import Figure
 
@@ -23,25 +25,27 @@ def draw_port(of: str, run: Result, other: Result | None) -> tuple[Figure, str]:
     axes = panel(figure)
     time_axis(axes, run)
     t, y = extremes(run, "y", port.index)
-    handles = axes.plot(*gapped(run, t, y), color=ink, lw=0.8, label="no control" if uncontrolled(run) else "with control", zorder=3)
+    handles = axes.plot(
+        *gapped(run, t, y), color=ink, lw=0.8, label="no control" if uncontrolled(run) else "with control", zorder=3
+    )
     contents = [y]
     if behind is not None:
         t_grey, y_grey = extremes(behind, "y", port.index)
-        style = {"color": UNCONTROLLED, "lw": 0.6, "alpha": 0.75, "label": "no control", "zorder": 2}
+        style: dict[str, Any] = {"color": UNCONTROLLED, "lw": 0.6, "alpha": 0.75, "label": "no control", "zorder": 2}
         handles += axes.plot(*gapped(behind, t_grey, y_grey), **style)
         contents.append(y_grey)
     if follows:
         t_ref, wanted = extremes(run, "reference", port.index)
-        style = {"color": REFERENCE, "lw": 0.7, "ls": DASHES, "label": "reference", "zorder": 4}
-        handles += axes.plot(*gapped(run, t_ref, wanted), **style)
+        dashed: dict[str, Any] = {"color": REFERENCE, "lw": 0.7, "ls": DASHES, "label": "reference", "zorder": 4}
+        handles += axes.plot(*gapped(run, t_ref, wanted), **dashed)
         contents.append(wanted)
-    curves = () if limits is None else limits.curves(run)
+    curves = None if limits is None else limits.curves(run)
     level = not follows and (limits is None or (limits.symmetric and limits.fixed))
-    low, high, limited = value_range(contents, [values for _, values in curves], level)
+    low, high, limited = value_range(contents, [values for _, values in curves or ()], level)
     margin = 0.17 * (high - low)
     axes.set_ylim(low - margin, high + margin)
     value_axis(axes, port.label, port.motion)
-    if limited and limits is not None:
+    if limited and limits is not None and curves is not None:
         handles.append(constraint(axes, *curves, limits.label))
     if not follows:
         k = int(np.abs(y).argmax())

@@ -10,7 +10,7 @@ from matplotlib.ticker import MaxNLocator
 from dampen.analysis.sampling_cost import chatter
 from dampen.report.axes import legend_row, panel, sheet, value_axis, value_range
 from dampen.report.names import PortNames, port_names
-from dampen.report.style import INK, SINGLE, colour, number, quantity, tint
+from dampen.report.style import INK, SINGLE, colour, plain_number, quantity, tint
 from dampen.simulation.result import Result
 
 HEIGHT, LOWER = 3.4, 1.5
@@ -78,8 +78,8 @@ def _sentence(port: PortNames, run: Result, of: str, span: tuple[float, float], 
     last, period = run.trials - 1, run.scenario.sampling.period
     alone = np.asarray(run["command"][last])[:, port.index]
     travelled = float(np.sum(np.abs(np.diff(alone))))
-    text = f"Samples of {number(1000 * period)} ms between t = {span[0]:.4g} s and {span[1]:.4g} s of trial {last}, where the command"
-    text += f" varies most. Its total variation is {quantity(travelled, port.effort)} in this trial and"
+    when = f"between t = {span[0]:.4g} s and {span[1]:.4g} s of trial {last}"
+    text = f"Samples of {plain_number(1000 * period)} ms {when}, where the command varies most. Its total variation is {quantity(travelled, port.effort)} in this trial and"
     text += f" {quantity(chatter(run, of), port.effort)} over the run"
     worst = float(np.abs(error).max())
     return text + (f"; a reading is up to {quantity(worst, port.motion)} off." if worst > 1e-15 else "; readings are exact.")

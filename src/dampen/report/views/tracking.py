@@ -69,7 +69,7 @@ def _references(axes: Axes, port: PortNames, run: Result, of: str, trials: list[
     wanted = [np.asarray(run["reference"][j])[:, port.index] for j in trials]
     different = [r for k, r in enumerate(wanted) if not any(np.array_equal(r, later) for later in wanted[k + 1 :])]
     contents += different
-    style = {"color": REFERENCE, "lw": 0.8, "ls": DASHES, "label": "reference", "zorder": 4}
+    style: dict[str, Any] = {"color": REFERENCE, "lw": 0.8, "ls": DASHES, "label": "reference", "zorder": 4}
     return [axes.plot(*_thinned(run.time, r), **style)[0] for r in different][-1:]
 
 
