@@ -13,8 +13,9 @@ from dampen.simulation.result import Result
 class EnergyAccount:
     """Energies and works over all finished trials [J].
 
-    final - initial = law + actuator + disturbance + load - dissipated. `control` = law + actuator is the work of the
-    delivered forces, `dissipated` what the structure's own damping takes. `law` is what the actuator's slope makes of the
+    final - initial = law + actuator + disturbance + load - dissipated + resets. `control` = law + actuator is the work of the
+    delivered forces, `dissipated` what the structure's own damping takes, `resets` what putting it back
+    between trials changes. `law` is what the actuator's slope makes of the
     law's value, `actuator` the rest (a backlash's bounded part, a saturation's loss). The law's part that goes into barrier
     and stiffness is `barrier_final - barrier_initial`, taken from `law`; what the ports' numerical compliance stores and loses
     is part of `control` as well.
@@ -32,6 +33,7 @@ class EnergyAccount:
     compliance_stored: float
     compliance_lost: float
     largest: float
+    resets: float = 0.0
 
     @property
     def law(self) -> float:
@@ -40,7 +42,7 @@ class EnergyAccount:
     @property
     def error(self) -> float:
         """|change of energy - work| / largest energy, over the whole run."""
-        change = self.final - self.initial - self.control - self.disturbance - self.load + self.dissipated
+        change = self.final - self.initial - self.control - self.disturbance - self.load + self.dissipated - self.resets
         return abs(change) / self.largest if self.largest else 0.0
 
 
@@ -65,5 +67,14 @@ def energy_account(result: Result) -> EnergyAccount:
         barrier_final=float(result["barrier_energy"][last][-1]),
         compliance_stored=float(result["compliance_energy"][last][-1]),
         compliance_lost=total("compliance_loss"),
+        resets=_resets(result),
         largest=float(max(np.max(np.asarray(result["energy"][j])) for j in range(result.trials))),
     )
+
+
+def _resets(result: Result) -> float:
+    """What the structure's energy gains [J] where trials start anew."""
+    if result.scenario.task.start == "chained":
+        return 0.0
+    energy = result["energy"]
+    return sum(float(energy[j][0]) - float(energy[j - 1][-1]) for j in range(1, result.trials))

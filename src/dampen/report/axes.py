@@ -74,12 +74,14 @@ def value_axis(axes: Axes, words: str, unit: str, steps: Sequence[float] = (1, 2
 
 
 def log_axis(axes: Axes, label: str, low: float, high: float) -> None:
-    """A logarithmic axis of values from `low` to `high`; minor ticks while there are few decades."""
+    """A logarithmic axis of values from `low` to `high`; minor ticks while there are few decades, numbers between powers of
+    ten where there is hardly one of them."""
     axes.set_yscale("log")
     axes.set_ylim(low, high)
     axes.set_ylabel(label)
-    axes.yaxis.set_major_locator(LogLocator(numticks=7))
-    axes.yaxis.set_major_formatter(FuncFormatter(lambda y, _: ten_to(round(np.log10(y)))))
+    narrow = high < 30 * low
+    axes.yaxis.set_major_locator(LogLocator(subs=(1, 2, 5) if narrow else (1,), numticks=7))
+    axes.yaxis.set_major_formatter(FuncFormatter(lambda y, _: plain_number(y) if narrow else ten_to(round(np.log10(y)))))
     axes.yaxis.set_minor_locator(LogLocator(subs=range(2, 10) if high < 1e5 * low else (1.0,), numticks=60))
     axes.yaxis.set_minor_formatter(NullFormatter())
 

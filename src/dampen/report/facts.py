@@ -186,6 +186,12 @@ def account_rows(result: Result, baseline: Result | None) -> list[Row]:
         row("of the actuator: what it adds to that", "actuator", 1),
         row("Work of the port disturbances", "disturbance"),
         row("Work of the distributed load", "load"),
+        *(
+            [row("Dissipated by the structure's damping", "dissipated")]
+            if any(account.dissipated for account in accounts)
+            else []
+        ),
+        *([row("Change by the resets between trials", "resets")] if result.scenario.task.start == "reset" else []),
         row("Energy at the end", "final", kind="sum"),
         row(f"Closing error, |change of energy {MINUS} work| / largest energy", "error", kind="error"),
     ]

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from dampen.report.joined import Array, duration, gapped, joined
-from dampen.report.style import number, plain_number
+from dampen.report.style import MINUS, number, plain_number
 from dampen.simulation.result import Result
 from dampen.simulation.scenario import Scenario
 from dampen.simulation.task import Constraint
@@ -60,7 +60,7 @@ class Limits:
 
     def inequality(self, name: str, k: int) -> str:
         """As a formula at step k: "|y| < 0.2 m"."""
-        body = f"{name} - reference" if self.on_error else name
+        body = f"{name} {MINUS} reference" if self.on_error else name
         low, high = _written(float(self.low[k])), _written(float(self.high[k]))
         return f"|{body}| < {high} {self.unit}" if self.symmetric else f"{low} {self.unit} < {body} < {high} {self.unit}"
 

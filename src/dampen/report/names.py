@@ -4,7 +4,9 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from dampen.report.style import plain_number, plain_text, symbol
+import numpy as np
+
+from dampen.report.style import plain_number, plain_text, quantity, symbol
 from dampen.simulation.result import Result
 
 
@@ -59,6 +61,15 @@ def field_unit(run: Result, name: str) -> str:
     if name not in fields:
         raise ValueError(f"Argument `of` must be a field of this plant ({', '.join(fields)}), but is {name!r}.")
     return str(fields[name])
+
+
+def course(values: np.ndarray, unit: str, of: str = "") -> str:
+    """What became of a value from trial to trial: "falls from 1.00 m in trial 0 to 0.100 m in trial 9"."""
+    first, last, trial = quantity(float(values[0]), unit), quantity(float(values[-1]), unit), len(values) - 1
+    verb = trend(float(values[0]), float(values[-1]))
+    if verb == "stays":
+        return f" is {first} in trial 0 and {last} in trial {trial}"
+    return f"{of} {verb} from {first} in trial 0 to {last} in trial {trial}"
 
 
 def trend(first: float, last: float) -> str:

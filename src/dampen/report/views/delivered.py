@@ -7,7 +7,7 @@ from matplotlib.figure import Figure
 
 from dampen.report.axes import legend_row, note_peak, panel, sheet, time_axis, value_axis
 from dampen.report.joined import extremes, trial_peaks
-from dampen.report.names import PortNames, port_names, trend
+from dampen.report.names import PortNames, course, port_names
 from dampen.report.style import DOUBLE, colour, number, quantity
 from dampen.report.views.loop import both_loops, departure
 from dampen.simulation.result import Result
@@ -43,7 +43,5 @@ def _sentence(port: PortNames, run: Result, force: np.ndarray) -> str:
         return f"{name} is zero."
     text = f"{name} stays between {number(float(force.min()))} and {quantity(float(force.max()), unit)}"
     if last:
-        verb = trend(peaks[0], peaks[-1])
-        text += f"; its largest modulus {verb} from {quantity(peaks[0], unit)} in trial 0"
-        text += f" to {quantity(peaks[-1], unit)} in trial {last}"
+        text += f"; its largest modulus{course(peaks, unit)}"
     return f"{text}. It differs from the ideal actuator's by {quantity(departure(run, port.index), unit)} at most."

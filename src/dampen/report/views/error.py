@@ -12,7 +12,7 @@ from matplotlib.ticker import MaxNLocator
 from dampen.analysis.metrics import error_peaks, error_rms
 from dampen.report.axes import legend_row, log_axis, panel, sheet, value_axis
 from dampen.report.joined import uncontrolled
-from dampen.report.names import PortNames, port_names, tracked, trend
+from dampen.report.names import PortNames, course, port_names, tracked
 from dampen.report.style import DASHES, SMALL, UNCONTROLLED, colour, percent, quantity
 from dampen.simulation.result import Result
 
@@ -37,14 +37,12 @@ def draw_error(of: str, run: Result, other: Result | None) -> tuple[Figure, str]
     axes.xaxis.set_major_locator(MaxNLocator(6, integer=True, steps=[1, 2, 5, 10]))
     pad = max(0.5, 0.03 * run.trials)
     axes.set_xlim(-pad, max(run.trials - 1, 1) + pad)
-    words = "error of" if tracked(run, of) else ""
+    words = f"error of {port.math or port.words}" if tracked(run, of) else port.label
     everything = np.concatenate(shown)
     if np.any(everything > 0):
-        log_axis(
-            axes, f"{words} {port.label} [{port.motion}]".strip(), 0.4 * everything[everything > 0].min(), 1.8 * everything.max()
-        )
+        log_axis(axes, f"{words} [{port.motion}]", 0.4 * everything[everything > 0].min(), 1.8 * everything.max())
     else:
-        value_axis(axes, f"{words} {port.label}".strip(), port.motion)
+        value_axis(axes, words, port.motion)
     if run.trials > 2 and rms[-1] > 0:
         text, box = quantity(rms[-1], port.motion), {"boxstyle": "square,pad=0.1", "fc": "white", "ec": "none", "alpha": 0.85}
         end, near = (run.trials - 1, rms[-1]), (3, -10)
@@ -57,13 +55,8 @@ def _curves(axes: Axes, rms: np.ndarray, peaks: np.ndarray, ink: str, name: str,
     """RMS as a full line, peak as a dashed one."""
     few = len(rms) <= MARKED
     trials, prefix = np.arange(len(rms)), f"{name}: " if name else ""
-    style: dict[str, Any] = {
-        "color": ink,
-        "lw": 0.9 if not name else 0.7,
-        "mfc": "white" if name else ink,
-        "mew": 0.7,
-        "zorder": order,
-    }
+    style: dict[str, Any] = {"color": ink, "lw": 0.7 if name else 0.9, "mew": 0.7, "zorder": order}
+    style |= {"mfc": "white" if name else ink}
     full = axes.plot(trials, _positive(rms), marker="o" if few else "", ms=3, label=name or "RMS", **style)
     style |= {"mfc": "white", "ls": DASHES}
     return full + axes.plot(trials, _positive(peaks), marker="^" if few else "", ms=3.2, label=f"{prefix}peak", **style)
@@ -80,10 +73,9 @@ def _sentence(port: PortNames, run: Result, behind: Result | None, of: str, rms:
     if run.trials == 1:
         text += f" is {quantity(rms[0], unit)} in the only trial, its peak {quantity(peaks[0], unit)}"
     else:
-        text += f" over a trial {trend(rms[0], rms[-1])} from {quantity(rms[0], unit)} in trial 0"
-        text += f" to {quantity(rms[-1], unit)} in trial {last}"
+        text += course(rms, unit, " over a trial")
         text += f", {percent(rms[-1] / rms[0])} of it" if rms[0] > 0 else ""
-        text += f"; the peak {trend(peaks[0], peaks[-1])} from {quantity(peaks[0], unit)} to {quantity(peaks[-1], unit)}"
+        text += f"; the peak{course(peaks, unit)}"
         if np.all(np.diff(rms) <= 0) and rms[-1] < rms[0]:
             text += "; the RMS rises in no trial"
         elif (best := int(np.argmin(rms))) != last:

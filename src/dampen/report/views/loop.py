@@ -12,34 +12,43 @@ from matplotlib.figure import Figure
 from dampen.report.axes import BOTTOM, LEFT, legend_row, panel, sheet
 from dampen.report.joined import blocks
 from dampen.report.names import PortNames, port_names
-from dampen.report.style import DOUBLE, INK, LEARNED, SINGLE, SMALL, colour, percent, plain_number, quantity
+from dampen.report.style import DOUBLE, INK, LEARNED, MINUS, colour, percent, plain_number, quantity
 from dampen.simulation.result import Result
 
 Pair = tuple[np.ndarray, np.ndarray]
-DRAWN = 1500
-SIDE = 2.5
+DRAWN, DOTTED = 1500, 300
+SIDE = 2.2
 IDEAL = "#C4C4C4"
 
 
 def draw_loop(of: str, run: Result, other: Result | None) -> tuple[Figure, str]:
-    """The loop at the port `of` in the first and, beside it on its own scale, in the last trial."""
+    """The loop at the port `of` in the last trial, and beside it how far it and the first one are from the ideal line."""
     port, last = port_names(run, of), run.trials - 1
-    ink, width = colour(port.effort), DOUBLE if run.trials > 1 else SINGLE
-    figure = sheet(width, SIDE + BOTTOM + 0.3)
+    slope, ink = gain(run, port.index), colour(port.effort)
+    figure = sheet(DOUBLE, SIDE + BOTTOM + 0.3)
+    whole = panel(figure, right=DOUBLE / 2 + 0.1, top=0.3)
+    beside = panel(figure, left=DOUBLE / 2 + LEFT + 0.05, top=0.3)
+    pairs = {j: loop(run, j, port.index) for j in sorted({0, last})}
+    command, delivered = pairs[last]
+    ideal = _ideal(whole, run, port.index, 2 * np.array([command.min(), command.max()]))
     handles: list[Any] = []
-    for j, right in ((0, width - LEFT - SIDE - 0.35), (last, 0.12))[: run.trials]:
-        axes = panel(figure, left=width - right - SIDE - 0.35, right=right, top=0.3)
-        pair = loop(run, j, port.index)
-        low, high = (2 * end for end in (min(pair[0].min(), 0.0), max(pair[0].max(), 0.0)))
-        ideal = _ideal(axes, run, port.index, np.array([low, high]))
-        drawn = axes.plot(*thinned(*pair), color=ink if j == 0 else LEARNED, lw=0.7, label=f"trial {j}", zorder=2)
-        handles += drawn if j != last else drawn + ideal
-        axes.set_xlim(*_margins(pair[0]))
-        axes.set_ylim(*_margins(pair[1]))
+    for j, (given, got) in pairs.items():
+        style: dict[str, Any] = {
+            "color": LEARNED if j else ink,
+            "lw": 0.5 if j else 0.7,
+            "label": f"trial {j}",
+            "zorder": 2 + (j > 0),
+        }
+        handles += beside.plot(*_cloud(given, got - slope * given), marker="o", ms=1.2, mew=0, **(style | {"ls": "none"}))
+        if j == last:
+            whole.plot(*thinned(given, got), **style)
+    beside.axhline(0, color=IDEAL, lw=3, zorder=1)
+    whole.set_xlim(*_margins(command))
+    whole.set_ylim(*_margins(delivered))
+    for axes in (whole, beside):
         _axes_words(axes, port)
-        note = f"up to {quantity(float(np.abs(pair[1] - gain(run, port.index) * pair[0]).max()), port.effort)} off"
-        axes.text(0.97, 0.04, note, transform=axes.transAxes, ha="right", va="bottom", fontsize=SMALL)
-    legend_row(figure, handles)
+    beside.set_ylabel(f"delivered {MINUS} ideal [{port.effort}]", labelpad=1)
+    legend_row(figure, handles + ideal)
     return figure, _sentence(port, run)
 
 
@@ -111,11 +120,17 @@ def _around(axes: Axes, first: Pair, final: Pair) -> None:
 
 def thinned(x: np.ndarray, y: np.ndarray) -> Pair:
     """The path without the points at which nothing moved by a visible amount."""
-    scale = max(float(np.ptp(x)), float(np.ptp(y))) / DRAWN or 1.0
-    cells = np.round(np.stack([x, y]) / scale)
+    cells = np.round([values * (DRAWN / (float(np.ptp(values)) or 1.0)) for values in (x, y)])
     moved = np.concatenate([[True], np.any(np.diff(cells, axis=1) != 0, axis=0)])
     moved[-1] = True
     return x[moved], y[moved]
+
+
+def _cloud(x: np.ndarray, y: np.ndarray) -> Pair:
+    """The points without those that would fall on each other."""
+    cells = np.round([values * (DOTTED / (float(np.ptp(values)) or 1.0)) for values in (x, y)])
+    kept = np.unique(cells, axis=1, return_index=True)[1]
+    return x[kept], y[kept]
 
 
 def _sentence(port: PortNames, run: Result) -> str:
@@ -125,5 +140,5 @@ def _sentence(port: PortNames, run: Result) -> str:
     command, delivered = loop(run, last, port.index)
     reach, off = float(np.abs(delivered).max()), float(np.abs(delivered - gain(run, port.index) * command).max())
     if reach > 0:
-        text += f"; in trial {last} by {quantity(off, port.effort)}, {percent(off / reach)} of the largest force delivered there"
+        text += f"; in trial {last} by {quantity(off, port.effort)}, {percent(off / reach)} of the largest {port.effort_words.removeprefix('delivered ')} there"
     return text + "."

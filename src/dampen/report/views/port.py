@@ -11,7 +11,7 @@ from dampen.analysis.metrics import error_peaks, first_beyond, fraction_of_limit
 from dampen.report.axes import constraint, legend_row, note_peak, panel, sheet, time_axis, value_axis, value_range
 from dampen.report.joined import extremes, gapped, trial_peaks, uncontrolled
 from dampen.report.limits import limits_of
-from dampen.report.names import PortNames, port_names, tracked, trend
+from dampen.report.names import PortNames, course, port_names, tracked
 from dampen.report.style import DASHES, MINUS, REFERENCE, UNCONTROLLED, colour, percent, quantity, ranges
 from dampen.simulation.result import Result
 
@@ -59,14 +59,11 @@ def draw_port(of: str, run: Result, other: Result | None) -> tuple[Figure, str]:
 def _sentence(port: PortNames, run: Result, behind: Result | None, of: str) -> str:
     limits, follows = limits_of(run.scenario, of), tracked(run, of)
     peaks = error_peaks(run, of) if follows else trial_peaks(run, "y", port.index)
-    first, last = quantity(peaks[0], port.motion), quantity(peaks[-1], port.motion)
     text = f"The largest error |{port.text} {MINUS} reference|" if follows else f"The largest |{port.text}|"
     if run.trials == 1:
-        text += f" is {first} in the only trial"
-    elif (verb := trend(peaks[0], peaks[-1])) == "stays":
-        text += f" is {first} in trial 0 and {last} in trial {run.trials - 1}"
+        text += f" is {quantity(peaks[0], port.motion)} in the only trial"
     else:
-        text += f" of a trial {verb} from {first} in trial 0 to {last} in trial {run.trials - 1}"
+        text += course(peaks, port.motion, " of a trial")
     if limits is not None:
         text += f"; {limits.words} {against(run, of)}"
     if behind is not None:

@@ -10,7 +10,7 @@ from matplotlib.ticker import MaxNLocator
 from dampen.analysis.sampling_cost import chatter
 from dampen.report.axes import legend_row, panel, sheet, value_axis, value_range
 from dampen.report.names import PortNames, port_names
-from dampen.report.style import INK, SINGLE, colour, plain_number, quantity, tint
+from dampen.report.style import DOTS, INK, SINGLE, colour, plain_number, quantity, tint
 from dampen.simulation.result import Result
 
 HEIGHT, LOWER = 3.4, 1.5
@@ -32,17 +32,19 @@ def draw_samples(of: str, run: Result, other: Result | None) -> tuple[Figure, st
     command, delivered = (np.asarray(run[name][last])[inside, port.index] for name in ("command", "delivered"))
     t, at = clock[first * steps : end * steps + 1], clock[first * steps : end * steps : steps]
     handles = axes.plot(*_stairs(t, command), color=INK, lw=0.8, drawstyle="steps-post", label="command", zorder=3)
-    handles += axes.plot(*_stairs(t, delivered), color=ink, lw=1.0, drawstyle="steps-post", label="delivered", zorder=2)
+    handles += axes.plot(
+        *_stairs(t, delivered), color=tint(ink, 0.55), lw=2.2, drawstyle="steps-post", label="delivered", zorder=2
+    )
     _limits(axes, command, delivered)
     value_axis(axes, "force" if port.effort == "N" else "torque", port.effort)
     axes.tick_params(labelbottom=False)
     y = np.asarray(run["y"][last])[first * steps : end * steps + 1, port.index]
     held = _stairs(np.append(at, t[-1]), reading[first:end])
-    handles += below.plot(*held, color=INK, lw=0.5, ls=(0, (1, 1)), drawstyle="steps-post", zorder=2)[:0]
+    below.plot(*held, color=INK, lw=0.5, ls=DOTS, drawstyle="steps-post", zorder=2)
     handles += below.plot(at, reading[first:end], color=INK, marker="o", ms=1.8, ls="none", label="reading", zorder=4)
-    handles += below.plot(t, y, color=tint(ink, 0.8), lw=1.0, ls=(0, (5, 1)), label="true", zorder=3)
+    handles += below.plot(t, y, color=colour(port.motion), lw=1.0, label="true", zorder=3)
     _limits(below, y, reading[first:end])
-    value_axis(below, port.math or "displacement", port.motion)
+    value_axis(below, port.math or port.words, port.motion)
     for each in (axes, below):
         each.set_xlim(float(t[0]), float(t[-1]))
         each.xaxis.set_major_locator(MaxNLocator(5))
@@ -79,7 +81,8 @@ def _sentence(port: PortNames, run: Result, of: str, span: tuple[float, float], 
     alone = np.asarray(run["command"][last])[:, port.index]
     travelled = float(np.sum(np.abs(np.diff(alone))))
     when = f"between t = {span[0]:.4g} s and {span[1]:.4g} s of trial {last}"
-    text = f"Samples of {plain_number(1000 * period)} ms {when}, where the command varies most. Its total variation is {quantity(travelled, port.effort)} in this trial and"
-    text += f" {quantity(chatter(run, of), port.effort)} over the run"
+    whole = quantity(chatter(run, of), port.effort)
+    text = f"Samples of {plain_number(1000 * period)} ms {when}, where the command varies most. Its total variation is"
+    text += f" {quantity(travelled, port.effort)} in this trial and {whole} over the run"
     worst = float(np.abs(error).max())
     return text + (f"; a reading is up to {quantity(worst, port.motion)} off." if worst > 1e-15 else "; readings are exact.")

@@ -12,7 +12,7 @@ from dampen.analysis.metrics import error_peaks, tracking_error
 from dampen.report.axes import constraint, legend_row, log_axis, panel, sheet, value_axis, value_range
 from dampen.report.joined import duration, pick_extremes, uncontrolled
 from dampen.report.limits import limits_of
-from dampen.report.names import PortNames, port_names, tracked, trend
+from dampen.report.names import PortNames, course, port_names, tracked
 from dampen.report.style import COLUMNS, DASHES, DOTS, INK, REFERENCE, SINGLE, UNCONTROLLED, colour, percent, quantity, tint
 from dampen.report.views.port import against
 from dampen.simulation.result import Result
@@ -42,7 +42,7 @@ def draw_tracking(of: str, run: Result, other: Result | None) -> tuple[Figure, s
     low, high, limited = value_range(contents, edges, False)
     margin = 0.08 * (high - low)
     axes.set_ylim(low - margin, high + margin)
-    value_axis(axes, port.label, port.motion)
+    value_axis(axes, port.math or port.words, port.motion)
     for each in (axes, below):
         each.set_xlim(0, duration(run))
     axes.tick_params(labelbottom=False)
@@ -112,8 +112,7 @@ def _sentence(port: PortNames, run: Result, of: str) -> str:
     if run.trials == 1:
         text = f"{port.text} is {quantity(peaks[0], unit)} off its reference at most, and {end} at the end of the trial"
     else:
-        text = f"The largest error of {port.text} {trend(peaks[0], peaks[-1])} from {quantity(peaks[0], unit)} in trial 0"
-        text += f" to {quantity(peaks[-1], unit)} in trial {last}"
+        text = f"The largest error of {port.text}{course(peaks, unit)}"
         text += f", {percent(peaks[-1] / peaks[0])} of it" if peaks[0] > 0 else ""
         text += f"; at the end of that trial it is {end}"
     limits = limits_of(run.scenario, of)
