@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import re
 from collections.abc import Mapping
 from dataclasses import fields
 from typing import Any
@@ -21,11 +22,11 @@ def to_toml(scenario: Component) -> str:
     for f in fields(scenario):
         value = getattr(scenario, f.name)
         if f.name in tables:
-            chains += [(f"{tables[f.name]}.{port}", chain) for port, chain in value.items()]
+            chains += [(f"{tables[f.name]}.{bare(port)}", chain) for port, chain in value.items()]
         elif isinstance(value, Component):
             lines += _table(f.name, value)
         elif isinstance(value, Mapping) and value:
-            lines += ["", f"[{f.name}]", *(f"{key} = {literal(v)}" for key, v in value.items())]
+            lines += ["", f"[{f.name}]", *(f"{bare(key)} = {literal(v)}" for key, v in value.items())]
     for name, chain in chains:
         lines += ["", f"[{name}]", f"chain = {literal(chain)}"]
     return "\n".join(lines) + "\n"
@@ -45,8 +46,13 @@ def literal(value: Any) -> str:
         kind = {"kind": kind_of(value)} if kind_of(value) else {}
         value = {**kind, **{f.name: getattr(value, f.name) for f in fields(value) if getattr(value, f.name) is not None}}
     if isinstance(value, Mapping):
-        return "{ " + ", ".join(f"{k} = {literal(v)}" for k, v in value.items()) + " }"
+        return "{ " + ", ".join(f"{bare(k)} = {literal(v)}" for k, v in value.items()) + " }"
     return repr(value)
+
+
+def bare(key: str) -> str:
+    """A key as TOML writes it: a port's name may need quotes."""
+    return key if re.fullmatch(r"[A-Za-z0-9_-]+", key) else json.dumps(key, ensure_ascii=False)
 
 
 def kind_of(component: Component) -> str:

@@ -13,7 +13,7 @@ Array = np.ndarray
 METRICS = {
     "chatter": "total variation of the command over the run",
     "margin": "1 - largest share of the constraint that was used",
-    "residual": "root mean square in the last trial: of a field over the structure, of a port's distance from its reference or zero",
+    "residual": "root mean square in the last trial: of a field over the structure, of a port's tracking error",
     "effort": "root mean square of the delivered force over the run",
 }
 

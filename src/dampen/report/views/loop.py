@@ -138,7 +138,8 @@ def _sentence(port: PortNames, run: Result) -> str:
     most = quantity(departure(run, port.index), port.effort)
     text = f"The {port.effort_words} differs from the ideal actuator's by {most} at most"
     command, delivered = loop(run, last, port.index)
+    kind = port.effort_words.removeprefix("delivered ")
     reach, off = float(np.abs(delivered).max()), float(np.abs(delivered - gain(run, port.index) * command).max())
     if reach > 0:
-        text += f"; in trial {last} by {quantity(off, port.effort)}, {percent(off / reach)} of the largest {port.effort_words.removeprefix('delivered ')} there"
+        text += f"; in trial {last} by {quantity(off, port.effort)}, {percent(off / reach)} of the largest {kind} there"
     return text + "."
