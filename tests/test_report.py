@@ -358,7 +358,7 @@ def test_a_plant_without_fields_goes_all_the_way(tmp_path: Path) -> None:
     assert "peak" not in loaded.layout.variables
     assert "field" not in loaded.dataset.dims
     drawn = {path.stem for path in (tmp_path / "figures").iterdir()}
-    wanted = {f"{view}_the_hand_left_" for view in ("tracking", "error", "delivered", "loop")} | {"energy"}
+    wanted = {f"{view}_the_hand_left__" for view in ("tracking", "error", "delivered", "loop")} | {"energy"}
     assert drawn == wanted
     text = text_of(page)
     rms = error_rms(made, "the $hand/left_$")
@@ -375,7 +375,7 @@ def test_a_sampled_one_port_plant_tells_what_sampling_costs(tmp_path: Path) -> N
     for cost in dampen.sampling_cost(loaded, continuous):
         assert " ".join(cost_row(cost)) in re.sub(r" +", " ", text)
     assert "What sampling costs" in text
-    assert (tmp_path / "figures" / "samples_the_hand_left_.svg").exists()
+    assert (tmp_path / "figures" / "samples_the_hand_left__.svg").exists()
 
 
 def test_fields_may_have_any_name_that_is_free(tmp_path: Path) -> None:

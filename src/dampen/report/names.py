@@ -9,6 +9,8 @@ import numpy as np
 from dampen.report.style import plain_number, plain_text, quantity, symbol
 from dampen.simulation.result import Result
 
+LONGEST = 30
+
 
 @dataclass(frozen=True)
 class PortNames:
@@ -26,8 +28,20 @@ class PortNames:
     effort_words: str
 
     @property
+    def kind(self) -> str:
+        """What moves: "displacement" or "rotation"."""
+        return "rotation" if self.motion == "rad" else "displacement"
+
+    @property
+    def short(self) -> str:
+        """For a low axis, whose caption names the port."""
+        return self.math or self.kind
+
+    @property
     def label(self) -> str:
-        return f"{self.words} {self.math}".strip()
+        """For an axis; what would be too long for one is left to the caption."""
+        label = f"{self.words} {self.math}".strip()
+        return label if self.math or len(label) <= LONGEST else self.kind
 
 
 def port_names(run: Result, name: str) -> PortNames:

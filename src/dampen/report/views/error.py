@@ -37,7 +37,7 @@ def draw_error(of: str, run: Result, other: Result | None) -> tuple[Figure, str]
     axes.xaxis.set_major_locator(MaxNLocator(6, integer=True, steps=[1, 2, 5, 10]))
     pad = max(0.5, 0.03 * run.trials)
     axes.set_xlim(-pad, max(run.trials - 1, 1) + pad)
-    words = f"error of {port.math or port.words}" if tracked(run, of) else port.label
+    words = f"error of {port.math}".removesuffix(" of ") if tracked(run, of) else port.label
     everything = np.concatenate(shown)
     if np.any(everything > 0):
         log_axis(axes, f"{words} [{port.motion}]", 0.4 * everything[everything > 0].min(), 1.8 * everything.max())

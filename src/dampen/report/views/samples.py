@@ -44,7 +44,7 @@ def draw_samples(of: str, run: Result, other: Result | None) -> tuple[Figure, st
     handles += below.plot(at, reading[first:end], color=INK, marker="o", ms=1.8, ls="none", label="reading", zorder=4)
     handles += below.plot(t, y, color=colour(port.motion), lw=1.0, label="true", zorder=3)
     _limits(below, y, reading[first:end])
-    value_axis(below, port.math or port.words, port.motion)
+    value_axis(below, port.short, port.motion)
     for each in (axes, below):
         each.set_xlim(float(t[0]), float(t[-1]))
         each.xaxis.set_major_locator(MaxNLocator(5))

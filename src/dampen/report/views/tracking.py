@@ -42,7 +42,7 @@ def draw_tracking(of: str, run: Result, other: Result | None) -> tuple[Figure, s
     low, high, limited = value_range(contents, edges, False)
     margin = 0.08 * (high - low)
     axes.set_ylim(low - margin, high + margin)
-    value_axis(axes, port.math or port.words, port.motion)
+    value_axis(axes, port.short, port.motion)
     for each in (axes, below):
         each.set_xlim(0, duration(run))
     axes.tick_params(labelbottom=False)
