@@ -10,6 +10,7 @@ from dampen.actuators.ideal import Ideal as Ideal
 from dampen.actuators.prandtl_ishlinskii import PrandtlIshlinskii as PrandtlIshlinskii
 from dampen.actuators.rate_limit import RateLimit as RateLimit
 from dampen.actuators.saturation import Saturation as Saturation
+from dampen.analysis.sampling_cost import sampling_cost as sampling_cost
 from dampen.component import ArgumentError as ArgumentError
 from dampen.controllers.adaptive_boundary import AdaptiveBoundary as AdaptiveBoundary
 from dampen.controllers.base import Controller as Controller

@@ -76,7 +76,7 @@ def run(
     with threadpool_limits(1):
         bench = Bench(experiment)  # refuses what cannot be resolved, before anything is written
         folder = make_folder(folder, experiment.name)
-        result, baseline = run_both(bench, folder)
+        result, baseline, continuous = run_all(bench, folder)
     for line in result.warnings:
         err.print(f"Note: {line}", markup=False)
     claims = check_claims(result, baseline)
@@ -84,8 +84,10 @@ def run(
         from dampen.report import write_report
 
         with working("Drawing figures"):
-            write_report(folder, result, baseline, claims, figure_plan(result), note(result))
+            write_report(folder, result, baseline, claims, figure_plan(result), note(result), continuous=continuous)
     show_outcome(result, claims, note(result), folder)
+    if continuous is not None:
+        show_costs(result, continuous)
     if result.broke_off or (baseline is not None and baseline.broke_off):
         raise typer.Exit(BROKE_OFF)
 
@@ -139,7 +141,7 @@ def make_folder(folder: Path | None, name: str) -> Path:
         folder = next(path for path in candidates if not path.exists())
     try:
         folder.mkdir(parents=True, exist_ok=True)
-        for old in ("report.html", "uncontrolled.nc", "result.nc", "scenario.toml"):
+        for old in ("report.html", "continuous.nc", "uncontrolled.nc", "result.nc", "scenario.toml"):
             (folder / old).unlink(missing_ok=True)
         (folder / "scenario.toml").touch()
     except OSError as error:
@@ -147,8 +149,9 @@ def make_folder(folder: Path | None, name: str) -> Path:
     return folder
 
 
-def run_both(bench: Bench, folder: Path) -> tuple[Result, Result | None]:
-    """The run under the scenario's controller and, beside it, the one without control; both into files as they go."""
+def run_all(bench: Bench, folder: Path) -> tuple[Result, Result | None, Result | None]:
+    """The run under the scenario's controller, the one without control and, of a sampled run, the one under the continuous law;
+    all into files as they go."""
     from dampen.controllers.none import NoControl
     from dampen.simulation.stores import FileStore
     from dampen.simulation.trials import simulate
@@ -158,12 +161,27 @@ def run_both(bench: Bench, folder: Path) -> tuple[Result, Result | None]:
     (folder / "scenario.toml").write_text(to_toml(scenario), encoding="utf-8")
     compile_ahead(scenario, bench)
     controlled = not isinstance(scenario.controller, NoControl)
-    with trial_bar(scenario.task.trials * (1 + controlled)) as advance:
+    others = {"uncontrolled": scenario.uncontrolled(), "continuous": continuous_twin(scenario)} if controlled else {}
+    beside = {name: other for name, other in others.items() if other is not None}
+    done: dict[str, Result] = {}
+    with trial_bar(scenario.task.trials * (1 + len(beside))) as advance:
         result = simulate(scenario, store=FileStore(folder / "result.nc"), progress=advance, bench=bench)
-        if not controlled or result.status == "interrupted":
-            return result, None if controlled else result
-        baseline = simulate(scenario.uncontrolled(), store=FileStore(folder / "uncontrolled.nc"), progress=advance, bench=bench)
-    return result, baseline
+        latest = result
+        for name, other in beside.items():
+            if latest.status != "interrupted":
+                done[name] = latest = simulate(other, store=FileStore(folder / f"{name}.nc"), progress=advance, bench=bench)
+    return result, done.get("uncontrolled") if controlled else result, done.get("continuous")
+
+
+def continuous_twin(scenario: Scenario) -> Scenario | None:
+    """A sampled scenario under the continuous law; None where there is none: the law needs samples, or its actuators do."""
+    from dampen.controllers.base import SampledFeedback
+    from dampen.controllers.none import NoControl
+
+    if not scenario.sampled or isinstance(scenario.controller, SampledFeedback | NoControl):
+        return None
+    chains = (scenario.chain(p) for p in range(len(scenario.ports)))
+    return scenario.continuous() if all(stage.monotone for chain in chains for stage in chain) else None
 
 
 def compile_ahead(scenario: Scenario, bench: Bench) -> None:
@@ -221,6 +239,22 @@ def show_outcome(result: Result, claims: list, note: str, folder: Path) -> None:
         out.print(note, style="dim", markup=False)
     page = folder / "report.html"
     out.print(f"Report: {page}" if page.exists() else f"Results: {folder / 'result.nc'}", markup=False)
+
+
+def show_costs(result: Result, continuous: Result) -> None:
+    """What sampling costs, as a small table."""
+    from rich import box
+    from rich.table import Table
+
+    from dampen.analysis.sampling_cost import sampling_cost
+    from dampen.report.facts import cost_row
+
+    table = Table(box=box.SIMPLE_HEAD, pad_edge=False)
+    for heading in ("What sampling costs", "at", "continuous", "sampled", "ratio"):
+        table.add_column(heading, justify="left" if heading in ("What sampling costs", "at") else "right")
+    for cost in sampling_cost(result, continuous):
+        table.add_row(*cost_row(cost))
+    Console(highlight=False, width=None if out.is_terminal else 140).print(table)
 
 
 if __name__ == "__main__":

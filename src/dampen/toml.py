@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import re
 from collections.abc import Mapping
 from dataclasses import fields
 from typing import Any
@@ -24,10 +25,10 @@ def to_toml(scenario: Component) -> str:
         if isinstance(value, Component):
             lines += _table(f.name, value)
         elif isinstance(value, Mapping) and f.name not in CHAINS and value:
-            lines += ["", f"[{f.name}]", *(f"{key} = {literal(v)}" for key, v in value.items())]
+            lines += ["", f"[{f.name}]", *(f"{bare(key)} = {literal(v)}" for key, v in value.items())]
     for name, table in CHAINS.items():
         for port, chain in getattr(scenario, name, {}).items():
-            lines += ["", f"[{table}.{port}]", f"chain = {literal(chain)}"]
+            lines += ["", f"[{table}.{bare(port)}]", f"chain = {literal(chain)}"]
     return "\n".join(lines) + "\n"
 
 
@@ -45,11 +46,13 @@ def literal(value: Any) -> str:
         kind = {"kind": kind_of(value)} if kind_of(value) else {}
         value = {**kind, **{f.name: getattr(value, f.name) for f in fields(value) if getattr(value, f.name) is not None}}
     if isinstance(value, Mapping):
-        return "{ " + ", ".join(f"{k} = {literal(v)}" for k, v in value.items()) + " }"
-    if callable(value):
-        named = value if hasattr(value, "__qualname__") else type(value)
-        return literal(f"{named.__module__}:{named.__qualname__}")
+        return "{ " + ", ".join(f"{bare(k)} = {literal(v)}" for k, v in value.items()) + " }"
     return repr(value)
+
+
+def bare(key: str) -> str:
+    """A key as TOML writes it: a port's name may need quotes."""
+    return key if re.fullmatch(r"[A-Za-z0-9_-]+", key) else json.dumps(key, ensure_ascii=False)
 
 
 def kind_of(component: Component) -> str:

@@ -36,6 +36,23 @@ def port_rms(result: Result, port: str, trial: int) -> float:
     return float(np.sqrt(np.mean(np.square(np.asarray(result["y"][trial])[:, port_index(result, port)]))))
 
 
+def tracking_error(result: Result, port: str, trial: int) -> Array:
+    """(times,) displacement of a port less what it was to follow, which is zero where there is no reference."""
+    p = port_index(result, port)
+    y = np.asarray(result["y"][trial])[:, p]
+    return y - np.asarray(result["reference"][trial])[:, p] if "reference" in result.layout.variables else y
+
+
+def error_rms(result: Result, port: str) -> Array:
+    """(trials,) root mean square of a port's tracking error over each trial."""
+    return np.array([np.sqrt(np.mean(np.square(tracking_error(result, port, j)))) for j in range(result.trials)])
+
+
+def error_peaks(result: Result, port: str) -> Array:
+    """(trials,) largest modulus of a port's tracking error in each trial."""
+    return np.array([np.max(np.abs(tracking_error(result, port, j))) for j in range(result.trials)])
+
+
 def fraction_of_limit(result: Result, port: str) -> Array:
     """(trials,) largest share of its constraint that a port used in each trial: 1 is the limit; 0 where there is none.
 
@@ -48,3 +65,14 @@ def fraction_of_limit(result: Result, port: str) -> Array:
         error = np.asarray(result["y"][j])[:, p] - reference
         shares.append(float(np.max(np.where(error >= 0, error / high, error / low))))
     return np.array(shares)
+
+
+def first_beyond(result: Result, port: str) -> tuple[int, float] | None:
+    """The trial, and the time [s] in it, at which a port is first at its constraint or beyond; None: it never is."""
+    p = port_index(result, port)
+    for j in range(result.trials):
+        y, (low, high) = np.asarray(result["y"][j])[:, p], result.scenario.limits(j)
+        beyond = np.flatnonzero(~((low[:, p] < y) & (y < high[:, p])))
+        if len(beyond):
+            return j, float(result.time[beyond[0]])
+    return None

@@ -8,7 +8,6 @@ from typing import Any
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
-from matplotlib.patches import Rectangle
 from matplotlib.ticker import FuncFormatter, LogLocator, MaxNLocator, NullFormatter
 from matplotlib.transforms import blended_transform_factory
 
@@ -18,6 +17,8 @@ from dampen.simulation.result import Result
 
 LEFT, RIGHT, BOTTOM, TOP = 0.62, 0.12, 0.42, 0.42
 TICKS = 60
+FAR = 4.0
+Curve = tuple[np.ndarray, np.ndarray]
 
 
 def sheet(width: float = SINGLE, height: float = HEIGHT) -> Figure:
@@ -73,28 +74,48 @@ def value_axis(axes: Axes, words: str, unit: str, steps: Sequence[float] = (1, 2
 
 
 def log_axis(axes: Axes, label: str, low: float, high: float) -> None:
-    """A logarithmic axis of values from `low` to `high`; minor ticks while there are few decades."""
+    """A logarithmic axis of values from `low` to `high`; minor ticks while there are few decades, numbers between powers of
+    ten where there is hardly one of them."""
     axes.set_yscale("log")
     axes.set_ylim(low, high)
     axes.set_ylabel(label)
-    axes.yaxis.set_major_locator(LogLocator(numticks=7))
-    axes.yaxis.set_major_formatter(FuncFormatter(lambda y, _: ten_to(round(np.log10(y)))))
+    narrow = high < 30 * low
+    axes.yaxis.set_major_locator(LogLocator(subs=(1, 2, 5) if narrow else (1,), numticks=7))
+    axes.yaxis.set_major_formatter(FuncFormatter(lambda y, _: plain_number(y) if narrow else ten_to(round(np.log10(y)))))
     axes.yaxis.set_minor_locator(LogLocator(subs=range(2, 10) if high < 1e5 * low else (1.0,), numticks=60))
     axes.yaxis.set_minor_formatter(NullFormatter())
 
 
-def constraint(axes: Axes, limit: float, unit: str) -> Any:
-    """The limits +-C as dashed lines with the forbidden side hatched; returns the legend's handle."""
-    left, right = axes.get_xlim()
-    low, high = axes.get_ylim()
-    for edge, end in ((limit, high), (-limit, low)):
-        if abs(end) > limit:
-            corner, size = (left, min(edge, end)), (right - left, abs(end - edge))
-            axes.add_patch(Rectangle(corner, *size, fill=False, hatch="//////", ec=CONSTRAINT, lw=0, alpha=0.45, zorder=0))
-    label = f"constraint ±{plain_number(limit)} {unit}"
-    lines = [axes.plot((left, right), (y, y), color=CONSTRAINT, ls=(0, (5, 3)), lw=0.8, zorder=2.5)[0] for y in (limit, -limit)]
+def constraint(axes: Axes, low: Curve, high: Curve, label: str) -> Any:
+    """Lower and upper limit, each as times and values, as dashed lines with the forbidden side hatched; returns the legend's
+    handle. The axes' limits must be set already."""
+    bottom, top = axes.get_ylim()
+    lines = []
+    for (t, edge), end in ((high, top), (low, bottom)):
+        inside = np.clip(edge, bottom, top)
+        if np.any(inside != end):
+            axes.fill_between(t, inside, end, facecolor="none", hatch="//////", ec=CONSTRAINT, lw=0, alpha=0.45, zorder=0)
+            lines += axes.plot(t, edge, color=CONSTRAINT, ls=(0, (5, 3)), lw=0.8, zorder=2.5)
     lines[0].set_label(label)
     return lines[0]
+
+
+def value_range(contents: Sequence[np.ndarray], edges: Sequence[np.ndarray], level: bool) -> tuple[float, float, bool]:
+    """Least and greatest value to be drawn, and whether limits are among them: those far beyond all `contents` are not.
+
+    level: as far below zero as above it.
+    """
+    low, high = _extent(contents)
+    reach = FAR * max(abs(low), abs(high))
+    near = [values for edge in edges if len(values := edge[np.abs(edge) <= reach])]
+    low, high = _extent([*contents, *near])
+    if level:
+        low, high = -max(-low, high), max(-low, high)
+    return (low, high, bool(near)) if low < high else (low - 1, high + 1, False)
+
+
+def _extent(values: Sequence[np.ndarray]) -> tuple[float, float]:
+    return min(float(np.nanmin(v)) for v in values), max(float(np.nanmax(v)) for v in values)
 
 
 def note_peak(axes: Axes, t: float, y: float, text: str, colour: str, level: float) -> None:
@@ -111,10 +132,14 @@ def note_peak(axes: Axes, t: float, y: float, text: str, colour: str, level: flo
 
 
 def legend_row(figure: Figure, handles: Sequence[Any], right: float = RIGHT) -> None:
-    """The legend as one row along the sheet's upper edge, clear of all data."""
+    """The legend as one row along the sheet's upper edge, clear of all data; closer together where it would be too long."""
     width, height = figure.get_size_inches()
+    letters = sum(len(str(handle.get_label())) for handle in handles)
+    full = 0.043 * letters + 0.42 * len(handles) > width - 0.1
+    close = {"fontsize": 6, "handlelength": 1.3, "handletextpad": 0.35, "columnspacing": 0.8}
+    usual = {"handlelength": 1.8, "handletextpad": 0.5, "columnspacing": 1.2}
     corner = (1 - (right - 0.03) / width, 1 - 0.01 / height)
     figure.legend(
         handles=list(handles), loc="upper right", bbox_to_anchor=corner, ncols=len(handles),
-        frameon=False, handlelength=1.8, handletextpad=0.5, columnspacing=1.2, borderpad=0.1, borderaxespad=0.2,
+        frameon=False, borderpad=0.1, borderaxespad=0.2, **(close if full else usual),
     )  # fmt: skip

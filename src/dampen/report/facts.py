@@ -5,14 +5,15 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
-import numpy as np
-
 from dampen.analysis.energy import EnergyAccount, energy_account
+from dampen.analysis.sampling_cost import Cost
 from dampen.component import Component, parameters
+from dampen.controllers.base import SampledFeedback
 from dampen.report.joined import uncontrolled
-from dampen.report.style import MINUS, number, plain_number
+from dampen.report.limits import Limits, limits_of
+from dampen.report.style import MINUS, number, percent, plain_number, quantity
 from dampen.simulation.result import Result
-from dampen.stage import Stage
+from dampen.simulation.trials import LOST
 from dampen.toml import kind_of, literal
 
 
@@ -37,47 +38,117 @@ class Row:
 
 
 def facts(result: Result) -> list[tuple[str, str]]:
-    """What was run, in a few words each."""
-    scenario, numerics, task = result.scenario, result.scenario.numerics, result.scenario.task
-    rows = [("Plant", described(scenario.plant)), ("Controller", described(scenario.controller))]
-    if scenario.compensation:
-        rows.append(("Compensation", chains(scenario.compensation, "none")))
-    rows.append(("Actuators", chains(scenario.actuators, "ideal")))
-    rows.append(("Disturbance", described(scenario.disturbance)))
-    units = {port.name: port.motion_unit for port in scenario.plant.ports}
-    low, high = (limit[0] for limit in scenario.limits())
-    limits = [_limit(port, low[p], high[p], units[port]) for p, port in enumerate(units) if np.isfinite(high[p])]
-    rows.append(("Constraint", ", ".join(limits) or "none"))
-    rows.append(("Trials", f"{task.trials} of {plain_number(task.trial_duration)} s, {task.start}"))
-    rows.append(("Numerics", f"{numerics.discretisation}, {numerics.modes} modes, step {plain_number(1000 * numerics.step)} ms"))
-    return [*rows, ("Version", f"dampen {result.version}")]
+    """What was run, in a few words each; what there is nothing to say about is left out."""
+    scenario, numerics = result.scenario, result.scenario.numerics
+    damping = getattr(scenario.plant, "damping", None)
+    limits = [limits_of(scenario, port) for port in scenario.ports]
+    mode = "" if scenario.sampled else ", continuous law"
+    rows = [
+        ("Plant", described(scenario.plant)),
+        ("Damping", ", ".join(settings(damping)) if isinstance(damping, Component) else ""),
+        ("Controller", described(scenario.controller)),
+        ("Sampling", _sampling(result)),
+        ("Actuators", _chains(scenario.actuators) or "ideal"),
+        ("Compensation", _chains(scenario.compensation)),
+        ("Disturbance", described(scenario.disturbance)),
+        ("Reference", "; ".join(_reference(port, signal) for port, signal in scenario.task.reference.items())),
+        (
+            "Constraint",
+            "; ".join(_limit(limit, port) for limit, port in zip(limits, scenario.ports, strict=True) if limit) or "none",
+        ),
+        ("Trials", _trials(result)),
+        ("Numerics", f"{numerics.discretisation}, {numerics.modes} modes, step {plain_number(1000 * numerics.step)} ms{mode}"),
+        ("Version", f"dampen {result.version}"),
+    ]
+    return [(name, text) for name, text in rows if text]
 
 
-def _limit(port: str, low: float, high: float, unit: str) -> str:
-    """A constraint as it stands at the start of a trial."""
-    if low == -high:
-        return f"|{port}| < {plain_number(high)} {unit}"
-    return f"{plain_number(low)} < {port} < {plain_number(high)} {unit}"
+def settings(component: Component, skip: Sequence[str] = ()) -> list[str]:
+    """The parameters that are not what they are by default, each with value and unit."""
+    found = []
+    for parameter in parameters(type(component)):
+        value = getattr(component, parameter.name)
+        if parameter.name not in skip and value is not None and (parameter.required or value != parameter.default):
+            text = plain_number(value) if isinstance(value, int | float) and not isinstance(value, bool) else literal(value)
+            found.append(f"{parameter.name.replace('_', ' ')} {text} {parameter.unit}".strip())
+    return found
 
 
-def chains(by_port: Mapping[str, Sequence[Stage]], nothing: str) -> str:
-    """The kinds in the chain of each port."""
-    kinds = {port: ", ".join(kind_of(stage) or type(stage).__name__ for stage in chain) for port, chain in by_port.items()}
-    return "; ".join(f"{port}: {chain or nothing}" for port, chain in kinds.items()) or nothing
+def named(component: Component) -> str:
+    """The kind of a component, or its class."""
+    return kind_of(component) or type(component).__name__
+
+
+def _chains(chains: Mapping[str, Sequence[Component]]) -> str:
+    return "; ".join(f"{port}: {', '.join(map(named, chain)) or 'ideal'}" for port, chain in chains.items())
+
+
+def _reference(port: str, signal: Component) -> str:
+    details = ", ".join(settings(signal, skip=("sha256",)))
+    return f"{port}: {named(signal)}" + (f" ({details})" if details else "")
+
+
+def _limit(limits: Limits, port: str) -> str:
+    """A constraint at the start of a trial, and where it has come to at the end."""
+    start, end = limits.inequality(port, 0), limits.inequality(port, -1)
+    if not limits.moving:
+        return start
+    return f"{start}, another one in other trials" if start == end else f"{start} at the start of a trial, {end} at its end"
+
+
+def _trials(result: Result) -> str:
+    task = result.scenario.task
+    text = f"{task.trials} of {plain_number(task.trial_duration)} s, "
+    if task.start == "chained":
+        return text + "chained"
+    units = {port.name: port.motion_unit for port in result.scenario.plant.ports}
+    errors = [f"{port} {plain_number(value)} {units[port]}" for port, value in task.reset_error.items() if value]
+    return text + "each reset to the initial state" + (f", with a random error ({', '.join(errors)})" if errors else "")
+
+
+def _sampling(result: Result) -> str:
+    """Period, delay, what becomes of Sgn, how rates are estimated, and what is between sensor and law."""
+    scenario, sampling = result.scenario, result.scenario.sampling
+    if not scenario.sampled or uncontrolled(result):
+        return ""
+    parts = [f"every {plain_number(1000 * sampling.period)} ms"]
+    parts.append(f"delay {plain_number(1000 * sampling.delay)} ms" if sampling.delay else "no delay")
+    if not isinstance(scenario.controller, SampledFeedback):
+        layer = f" of {plain_number(sampling.layer)} m/s" if sampling.switching == "boundary-layer" else ""
+        parts.append(f"{sampling.switching} switching{layer}")
+    observed = sampling.rate == "observer"
+    parts.append(
+        f"rate from an observer, {plain_number(sampling.observer_bandwidth)} Hz" if observed else "rate from differences"
+    )
+    units = {port.name: (port.motion_unit, port.effort_unit) for port in scenario.plant.ports}
+    for table, words, which in (("noise", "noise", 0), ("quantum", "quantiser", 0), ("command_limit", "commands up to", 1)):
+        given = [f"{port} {plain_number(value)} {units[port][which]}" for port, value in sampling.by_port[table].items() if value]
+        parts += [f"{words} {', '.join(given)}"] if given else []
+    return "; ".join(parts)
 
 
 def described(component: Component) -> str:
     """The first sentence about a component, and its kind."""
-    return f"{component.summary().rstrip('.')} ({kind_of(component) or type(component).__name__})"
+    return f"{component.summary().rstrip('.')} ({named(component)})"
 
 
 def status_sentence(result: Result, baseline: Result | None) -> str:
-    """Empty for complete runs; otherwise which run broke off, and where."""
+    """Empty for runs that went well; otherwise which run broke off and where, and where the constraint was lost.
+
+    The run without control is there to show what happens without: its lost constraint is no fault.
+    """
     parts = []
     for run, name in ((result, "The run"), (baseline, "The run without control")):
-        if run is not None and run.status != "complete":
+        if run is not None and run.broke_off:
             parts.append(f"{name} broke off ({run.status}) after {run.trials} of {run.scenario.task.trials} trials.")
-    return " ".join(parts)
+    return " ".join([*parts, *(line for line in result.warnings if line.startswith(LOST))])
+
+
+def cost_row(cost: Cost) -> tuple[str, str, str, str, str]:
+    """A row of what sampling costs: metric, where, both values, and their ratio."""
+    write = percent if cost.metric == "margin" else lambda value: quantity(value, cost.unit)
+    ratio = "" if cost.ratio is None else number(cost.ratio)
+    return cost.metric, cost.of, write(cost.continuous), write(cost.sampled), ratio
 
 
 def gains(result: Result) -> list[Gain]:
@@ -115,6 +186,12 @@ def account_rows(result: Result, baseline: Result | None) -> list[Row]:
         row("of the actuator: what it adds to that", "actuator", 1),
         row("Work of the port disturbances", "disturbance"),
         row("Work of the distributed load", "load"),
+        *(
+            [row("Dissipated by the structure's damping", "dissipated")]
+            if any(account.dissipated for account in accounts)
+            else []
+        ),
+        *([row("Change by the resets between trials", "resets")] if result.scenario.task.start == "reset" else []),
         row("Energy at the end", "final", kind="sum"),
         row(f"Closing error, |change of energy {MINUS} work| / largest energy", "error", kind="error"),
     ]

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+import itertools
+import re
+from collections.abc import Callable, Iterable, Sequence
 from concurrent.futures import Executor, Future, ThreadPoolExecutor
 from dataclasses import dataclass
 from io import BytesIO
@@ -16,12 +18,17 @@ from matplotlib.figure import Figure
 from PIL import Image
 
 from dampen.report.joined import uncontrolled
+from dampen.report.plan import COMMANDED
 from dampen.report.style import DPI, RC
 from dampen.report.views.delivered import draw_delivered
 from dampen.report.views.energy import draw_energy
+from dampen.report.views.error import draw_error
 from dampen.report.views.field import draw_field
+from dampen.report.views.loop import draw_loop
 from dampen.report.views.peaks import draw_peaks
 from dampen.report.views.port import draw_port
+from dampen.report.views.samples import draw_samples
+from dampen.report.views.tracking import draw_tracking
 from dampen.scenarios.figures import FigurePlan
 from dampen.simulation.result import Result
 
@@ -33,6 +40,10 @@ VIEWS: dict[str, View] = {
     "peaks": draw_peaks,
     "delivered": draw_delivered,
     "energy": draw_energy,
+    "error": draw_error,
+    "tracking": draw_tracking,
+    "loop": draw_loop,
+    "samples": draw_samples,
 }
 FORMATS = ("png", "svg")
 
@@ -59,18 +70,6 @@ class Drawn:
     files: dict[str, Path]
 
 
-def default_plan(result: Result) -> tuple[FigurePlan, ...]:
-    """The figures of a scenario that has no plan of its own: every field, every port, peaks, delivered forces."""
-    ports = [port.name for port in result.scenario.plant.ports]
-    fields = [name for name, _ in result.scenario.plant.fields]
-    plan = [FigurePlan(f"field_{name}", "field", name, f"{name}(x, t) over all trials") for name in fields]
-    plan += [FigurePlan(f"port_{name}", "port", name, f"Motion at {name}") for name in ports]
-    plan += [FigurePlan(f"peaks_{name}", "peaks", name, f"Largest |{name}| of each trial") for name in fields]
-    if not uncontrolled(result):
-        plan += [FigurePlan(f"delivered_{name}", "delivered", name, f"What the actuator delivers at {name}") for name in ports]
-    return tuple(plan)
-
-
 def draw(
     plan: Sequence[FigurePlan], result: Result, baseline: Result | None, folder: Path, formats: Sequence[str] = FORMATS
 ) -> list[Drawn]:
@@ -86,7 +85,7 @@ def jobs_of(plan: Sequence[FigurePlan], result: Result, baseline: Result | None)
     free = uncontrolled(result)
     if free:
         twins = {(figure.view, figure.of) for figure in plan if not figure.controlled}
-        plan = [f for f in plan if not f.controlled or ((f.view, f.of) not in twins and f.view != "delivered")]
+        plan = [f for f in plan if not f.controlled or ((f.view, f.of) not in twins and f.view not in COMMANDED)]
     jobs = []
     for figure in plan:
         run, other = (result, baseline) if figure.controlled or (free and baseline is None) else (baseline, result)
@@ -103,10 +102,10 @@ def draw_jobs(
     folder.mkdir(parents=True, exist_ok=True)
     drawn, waiting = [], []
     with matplotlib.rc_context(RC), ThreadPoolExecutor(1) as pool:
-        for job in jobs:
+        for job, name in zip(jobs, file_names(job.name for job in jobs), strict=True):
             figure, sentence = VIEWS[job.view](job.of, job.run, job.other)
             width, height = map(float, figure.get_size_inches())
-            files = {kind: folder / f"{job.name}.{kind}" for kind in formats}
+            files = {kind: folder / f"{name}.{kind}" for kind in formats}
             waiting += [save(figure, path, pool) for path in files.values()]
             drawn.append(Drawn(job, sentence, (width, height), files))
             if progress:
@@ -131,3 +130,12 @@ def save(figure: Figure, path: Path, pool: Executor) -> Future[Any]:
 def write_png(pixels: np.ndarray, path: Path) -> None:
     """Compress and write; figures are opaque, so three channels do."""
     Image.fromarray(pixels).convert("RGB").save(path, compress_level=1, dpi=(DPI, DPI))
+
+
+def file_names(names: Iterable[str]) -> list[str]:
+    """The figures' names as different names of files: a user's port may be called anything."""
+    taken: list[str] = []
+    for name in names:
+        plain = re.sub(r"[^\w.-]+", "_", name)
+        taken.append(next(n for k in itertools.count(1) if (n := plain if k == 1 else f"{plain}-{k}") not in taken))
+    return taken

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from typing import Any
 
 import numpy as np
@@ -47,9 +47,13 @@ def extremes(run: Result, name: str, at: Any = ()) -> tuple[Array, Array]:
     than columns to draw in.
     """
     kind = run.layout.variables[name].dims[0]
-    clock = run.layout.coordinates[kind][1]
+    return joined(run, blocks(run, name, at), run.layout.coordinates[kind][1])
+
+
+def joined(run: Result, parts: Iterable[tuple[int, Array]], clock: Array) -> tuple[Array, Array]:
+    """`extremes` of signals given as (first trial, values of some trials), block by block, on this clock of a trial."""
     times, values = [], []
-    for first, part in blocks(run, name, at):
+    for first, part in parts:
         t = clock + duration(run) * np.arange(first, first + len(part))[:, None]
         picked = pick_extremes(part, max(1, -(-COLUMNS // run.trials)))
         times.append(np.take_along_axis(t, picked, axis=1).ravel())
@@ -59,6 +63,12 @@ def extremes(run: Result, name: str, at: Any = ()) -> tuple[Array, Array]:
         keep = pick_extremes(y[None], COLUMNS)[0]
         t, y = t[keep], y[keep]
     return t, y
+
+
+def gapped(run: Result, t: Array, y: Array) -> tuple[Array, Array]:
+    """A joined signal, parted where it jumps between the end of a trial and the start of the next: no line to draw there."""
+    jumps = np.flatnonzero((np.diff(t) <= 1e-9 * duration(run)) & (np.diff(y) != 0)) + 1
+    return np.insert(t, jumps, t[jumps]), np.insert(y, jumps, np.nan)
 
 
 def pick_extremes(values: Array, bins: int) -> Array:

@@ -4,8 +4,12 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from dampen.report.style import plain_number, symbol
+import numpy as np
+
+from dampen.report.style import plain_number, plain_text, quantity, symbol
 from dampen.simulation.result import Result
+
+LONGEST = 30
 
 
 @dataclass(frozen=True)
@@ -24,8 +28,20 @@ class PortNames:
     effort_words: str
 
     @property
+    def kind(self) -> str:
+        """What moves: "displacement" or "rotation"."""
+        return "rotation" if self.motion == "rad" else "displacement"
+
+    @property
+    def short(self) -> str:
+        """For a low axis, whose caption names the port."""
+        return self.math or self.kind
+
+    @property
     def label(self) -> str:
-        return f"{self.words} {self.math}".strip()
+        """For an axis; what would be too long for one is left to the caption."""
+        label = f"{self.words} {self.math}".strip()
+        return label if self.math or len(label) <= LONGEST else self.kind
 
 
 def port_names(run: Result, name: str) -> PortNames:
@@ -40,12 +56,17 @@ def port_names(run: Result, name: str) -> PortNames:
     kind = "rotation" if motion == "rad" else "displacement"
     effort_words = "delivered torque" if effort == "N m" else "delivered force"
     if port.field not in [field for field, _ in run.scenario.plant.fields]:
-        return PortNames(index, f"{kind} at {name}", "", f"{kind} at {name}", motion, effort, effort_words)
+        return PortNames(index, plain_text(f"{kind} at {name}"), "", f"{kind} at {name}", motion, effort, effort_words)
     at_tip = port.x == run.scenario.plant.span
     place = "L, t" if at_tip else rf"{plain_number(port.x)}\,\mathrm{{m}}, t"
     text = f"{port.field}({'L' if at_tip else plain_number(port.x) + ' m'}, t)"
     words = f"tip {kind}" if at_tip else kind
     return PortNames(index, words, symbol(port.field, place), text, motion, effort, effort_words)
+
+
+def tracked(run: Result, name: str) -> bool:
+    """Whether the port `name` has something to follow."""
+    return name in run.scenario.task.reference
 
 
 def field_unit(run: Result, name: str) -> str:
@@ -54,6 +75,15 @@ def field_unit(run: Result, name: str) -> str:
     if name not in fields:
         raise ValueError(f"Argument `of` must be a field of this plant ({', '.join(fields)}), but is {name!r}.")
     return str(fields[name])
+
+
+def course(values: np.ndarray, unit: str, of: str = "") -> str:
+    """What became of a value from trial to trial: "falls from 1.00 m in trial 0 to 0.100 m in trial 9"."""
+    first, last, trial = quantity(float(values[0]), unit), quantity(float(values[-1]), unit), len(values) - 1
+    verb = trend(float(values[0]), float(values[-1]))
+    if verb == "stays":
+        return f" is {first} in trial 0 and {last} in trial {trial}"
+    return f"{of} {verb} from {first} in trial 0 to {last} in trial {trial}"
 
 
 def trend(first: float, last: float) -> str:

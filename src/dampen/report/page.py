@@ -13,11 +13,13 @@ from jinja2 import Environment, PackageLoader, StrictUndefined, Template
 from markupsafe import Markup, escape
 
 from dampen.analysis.claims import Claim, verdict_sentence
-from dampen.report.facts import account_rows, facts, gains, status_sentence
+from dampen.analysis.sampling_cost import METRICS, Cost
+from dampen.report.facts import account_rows, cost_row, facts, gains, status_sentence
 from dampen.report.figures import Drawn
 from dampen.report.joined import uncontrolled
 from dampen.report.style import typeset
 from dampen.simulation.result import Result
+from dampen.simulation.trials import LOST
 from dampen.toml import to_toml
 
 MIME = {"svg": "image/svg+xml", "png": "image/png"}
@@ -25,9 +27,15 @@ ONE_COLUMN = 4.0
 
 
 def write_page(
-    path: Path, result: Result, baseline: Result | None, claims: list[Claim], figures: Sequence[Drawn], note: str = ""
+    path: Path,
+    result: Result,
+    baseline: Result | None,
+    claims: list[Claim],
+    figures: Sequence[Drawn],
+    note: str = "",
+    costs: Sequence[Cost] = (),
 ) -> Path:
-    """Write the page; `figures` are embedded in the format that makes the smaller page."""
+    """Write the page; `figures` are embedded in the format that makes the smaller page. costs: what sampling costs."""
     kind = smaller_format(figures)
     shown = [embedded(drawn, kind) for drawn in figures]
     key = key_figure(figures)
@@ -41,7 +49,8 @@ def write_page(
         figures=[f for f in shown if f["name"] != "energy"],
         energy=next((f for f in shown if f["name"] == "energy"), None),
         account=account_rows(result, baseline),
-        warnings=result.warnings,
+        costs=[(*cost_row(cost), METRICS[cost.metric]) for cost in costs],
+        warnings=[line for line in result.warnings if not line.startswith(LOST)],
         gains=gains(result),
         note=note,
         toml=to_toml(result.scenario),
@@ -75,8 +84,8 @@ def embedded(drawn: Drawn, kind: str) -> dict[str, Any]:
 
 
 def key_figure(figures: Sequence[Drawn]) -> int | None:
-    """The one figure of the first screen: a port under control, else a port, else whatever comes first."""
-    ports = [i for i, d in enumerate(figures) if d.job.view == "port"]
+    """The one figure of the first screen: a port that follows or moves under control, else a port, else whatever comes first."""
+    ports = [i for view in ("tracking", "port") for i, d in enumerate(figures) if d.job.view == view]
     controlled = [i for i in ports if not uncontrolled(figures[i].job.run)]
     return next(iter([*controlled, *ports, *range(len(figures))]), None)
 

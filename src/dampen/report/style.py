@@ -13,9 +13,12 @@ ROTATION = "#D55E00"
 UNCONTROLLED = "#8A8A8A"
 CONSTRAINT = "#CC79A7"
 LEARNED = "#009E73"
+REFERENCE = "#333333"
 INK = "#222222"
 FAINT = "#9A9A9A"
 DIVERGING = "RdBu_r"
+
+DASHES, DOTS = (0, (4, 2)), (0, (1, 1.2))
 
 SINGLE, DOUBLE = 3.5, 7.16
 HEIGHT = 2.35
@@ -71,8 +74,21 @@ def colour(unit: str) -> str:
     return ROTATION if unit in ("rad", "N m") else DISPLACEMENT
 
 
+def tint(colour: str, share: float) -> str:
+    """The colour, thinned with white: `share` = 1 is all of it."""
+    parts = [int(colour[i : i + 2], 16) for i in (1, 3, 5)]
+    return "#" + "".join(f"{round(255 + share * (part - 255)):02X}" for part in parts)
+
+
+def plain_text(text: str) -> str:
+    """A user's own word, safe in a figure: a dollar sign would begin a formula."""
+    return text.replace("$", r"\$")
+
+
 def symbol(name: str, arguments: str = "") -> str:
     """`name(arguments)` as mathtext, the paper's way: phi is a curly phi, single letters are italic, words upright."""
+    if not re.fullmatch(r"[A-Za-z]\w*", name, re.ASCII):
+        return plain_text(name) + (f"$({arguments})$" if arguments else "")
     if name == "phi":
         body = r"\varphi"
     elif name in GREEK:

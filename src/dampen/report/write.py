@@ -6,8 +6,10 @@ from collections.abc import Sequence
 from pathlib import Path
 
 from dampen.analysis.claims import Claim
-from dampen.report.figures import Job, Progress, default_plan, draw_jobs, jobs_of
+from dampen.analysis.sampling_cost import sampling_cost
+from dampen.report.figures import Job, Progress, draw_jobs, jobs_of
 from dampen.report.page import write_page
+from dampen.report.plan import default_plan, with_samples
 from dampen.scenarios.figures import FigurePlan
 from dampen.simulation.result import Result
 
@@ -20,18 +22,22 @@ def write_report(
     plan: Sequence[FigurePlan] | None,
     note: str = "",
     progress: Progress | None = None,
+    continuous: Result | None = None,
 ) -> Path:
     """Write folder/figures/*.png and *.svg and folder/report.html; returns the path of the page.
 
     baseline: the same experiment without control, if it was run.
-    plan:     the figures to draw; None or empty: every field, port and delivered force.
+    plan:     the figures to draw; None or empty: those that `default_plan` chooses.
     note:     a sentence about the gains, printed below their table.
     progress: called with (figures drawn, figures in all) after each figure.
+    continuous: of a sampled run, the same experiment under the continuous law, if it was run: then the page says what
+              sampling costs.
     """
     folder = Path(folder)
-    jobs = jobs_of(plan or default_plan(result), result, baseline)
+    jobs = jobs_of(with_samples(plan, result) if plan else default_plan(result), result, baseline)
     if result.trials:
         other = baseline if baseline is not None and baseline.trials else None
         jobs.append(Job("energy", "Energy of the structure and of the barrier", "energy", "", result, other))
     drawn = draw_jobs(jobs, folder / "figures", progress=progress)
-    return write_page(folder / "report.html", result, baseline, claims, drawn, note)
+    costs = [] if continuous is None else sampling_cost(result, continuous)
+    return write_page(folder / "report.html", result, baseline, claims, drawn, note, costs)

@@ -5,12 +5,12 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Literal
 
-View = Literal["field", "port", "peaks", "delivered"]
+View = Literal["field", "port", "peaks", "delivered", "error", "tracking", "loop", "samples"]
 
 
 @dataclass(frozen=True)
 class FigurePlan:
-    """One figure. view: "field" and "peaks" show the field `of`, "port" and "delivered" the port `of`.
+    """One figure. view: "field" and "peaks" show the field `of`, all others the port `of`.
 
     controlled: False shows the run without control instead.
     """

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from dampen.component import ArgumentError
 from dampen.controllers.base import Setting
 from dampen.simulation.scenario import Scenario
 from dampen.toml import to_toml
@@ -73,6 +74,7 @@ class Layout:
         }
         extra = {**(SAMPLES if scenario.sampled else {}), **({"reference": REFERENCE} if scenario.task.reference else {})}
         peak = Variable(("field",), "", "largest |field| of the trial, over snapshots everywhere and over ports at every step")
+        whole = {"peak": peak, "status": STATUS} if fields else {"status": STATUS}
         time = np.arange(steps + 1) * dt
         coordinates: dict[str, tuple[tuple[str, ...], Array, str]] = {
             "time": (("time",), time, "s"),
@@ -82,15 +84,25 @@ class Layout:
             "port": (("port",), np.array([p.name for p in plant.ports]), ""),
             "motion_unit": (("port",), np.array([p.motion_unit for p in plant.ports]), ""),
             "effort_unit": (("port",), np.array([p.effort_unit for p in plant.ports]), ""),
-            "field": (("field",), np.array([name for name, _ in plant.fields]), ""),
         }
+        if fields:
+            coordinates["field"] = (("field",), np.array(list(fields)), "")
         if scenario.sampled:
             coordinates["sample"] = (("sample",), np.arange(setting.steps) * setting.dt, "s")
         sizes = {dims[0]: len(values) for dims, values, _ in coordinates.values()}
-        return Layout(scenario, sizes, {**SIGNALS, **extra, **learned, **fields, "peak": peak, "status": STATUS}, coordinates)
+        _check_names({**SIGNALS, **SAMPLES, "reference": REFERENCE, **learned, **coordinates, "peak": peak, **whole}, fields)
+        return Layout(scenario, sizes, {**SIGNALS, **extra, **learned, **fields, **whole}, coordinates)
 
     def shape(self, variable: Variable) -> tuple[int, ...]:
         return tuple(self.sizes[dim] for dim in variable.dims)
+
+
+def _check_names(taken: Mapping[str, Any], fields: Mapping[str, Any]) -> None:
+    """A field stands beside the result's own variables, in a file too: it needs a name that is free and that a file can have."""
+    for name in fields:
+        if name in taken or name == "trial" or not name or "/" in name or not name.isprintable():
+            why = "is a name that results use themselves" if name in taken or name == "trial" else "cannot stand in a file"
+            raise ArgumentError(f"Argument `plant` has a field `{name}`, which {why}; give it another one.")
 
 
 @dataclass

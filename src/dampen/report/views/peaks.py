@@ -11,7 +11,7 @@ from matplotlib.ticker import MaxNLocator
 
 from dampen.report.axes import legend_row, log_axis, panel, sheet, value_axis
 from dampen.report.joined import uncontrolled
-from dampen.report.names import field_unit, trend
+from dampen.report.names import course, field_unit
 from dampen.report.style import INK, SMALL, UNCONTROLLED, colour, percent, quantity, symbol
 from dampen.report.views.field import field_peaks
 from dampen.simulation.result import Result
@@ -75,11 +75,10 @@ def _note_ends(axes: Axes, peaks: np.ndarray, unit: str, ink: str) -> None:
 
 
 def _sentence(of: str, unit: str, run: Result, behind: Result | None, peaks: np.ndarray) -> str:
-    name, last = f"The largest |{of}(x, t)| of a trial", run.trials - 1
+    name, last = f"The largest |{of}(x, t)|", run.trials - 1
     if run.trials == 1:
         return f"{name} is {quantity(peaks[0], unit)} in the only trial."
-    text = f"{name} {trend(peaks[0], peaks[-1])} from {quantity(peaks[0], unit)} in trial 0"
-    text += f" to {quantity(peaks[-1], unit)} in trial {last}"
+    text = f"{name}{course(peaks, unit, ' of a trial')}"
     if peaks[0] > 0:
         above = np.flatnonzero(peaks >= SETTLED * peaks[0])[-1]
         text += f", {percent(peaks[-1] / peaks[0])} of it"

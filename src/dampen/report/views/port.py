@@ -1,76 +1,86 @@
-"""The motion of a port over all trials, against its constraint and the run without control."""
+"""The motion of a port over all trials, against what it is to follow, its constraint and the run without control."""
 
 from __future__ import annotations
+
+from typing import Any
 
 import numpy as np
 from matplotlib.figure import Figure
 
-from dampen.report.axes import constraint, legend_row, note_peak, panel, sheet, time_axis, value_axis
-from dampen.report.joined import extremes, trial_peaks, uncontrolled
-from dampen.report.names import PortNames, port_names, trend
-from dampen.report.style import UNCONTROLLED, colour, percent, plain_number, quantity, ranges
+from dampen.analysis.metrics import error_peaks, first_beyond, fraction_of_limit
+from dampen.report.axes import constraint, legend_row, note_peak, panel, sheet, time_axis, value_axis, value_range
+from dampen.report.joined import extremes, gapped, trial_peaks, uncontrolled
+from dampen.report.limits import limits_of
+from dampen.report.names import PortNames, course, port_names, tracked
+from dampen.report.style import DASHES, MINUS, REFERENCE, UNCONTROLLED, colour, percent, quantity, ranges
 from dampen.simulation.result import Result
-
-FAR = 4.0
 
 
 def draw_port(of: str, run: Result, other: Result | None) -> tuple[Figure, str]:
     """y(t) at the port `of`; the other run in grey behind it, unless this is the run without control."""
-    port = port_names(run, of)
+    port, limits, follows = port_names(run, of), limits_of(run.scenario, of), tracked(run, of)
     behind = None if uncontrolled(run) else other
     ink = UNCONTROLLED if uncontrolled(run) else colour(port.motion)
     figure = sheet()
     axes = panel(figure)
     time_axis(axes, run)
     t, y = extremes(run, "y", port.index)
-    handles = axes.plot(t, y, color=ink, lw=0.8, label="no control" if uncontrolled(run) else "with control", zorder=3)
-    top = float(np.abs(y).max())
+    handles = axes.plot(
+        *gapped(run, t, y), color=ink, lw=0.8, label="no control" if uncontrolled(run) else "with control", zorder=3
+    )
+    contents = [y]
     if behind is not None:
         t_grey, y_grey = extremes(behind, "y", port.index)
-        handles += axes.plot(t_grey, y_grey, color=UNCONTROLLED, lw=0.6, alpha=0.75, label="no control", zorder=2)
-        top = max(top, float(np.abs(y_grey).max()))
-    limit = float(run.scenario.limits()[1][0, port.index])
-    shown = limit <= FAR * top
-    drawn = max(top, limit if shown else 0.0) or 1.0
-    reach = 1.34 * drawn
-    axes.set_ylim(-reach, reach)
+        style: dict[str, Any] = {"color": UNCONTROLLED, "lw": 0.6, "alpha": 0.75, "label": "no control", "zorder": 2}
+        handles += axes.plot(*gapped(behind, t_grey, y_grey), **style)
+        contents.append(y_grey)
+    if follows:
+        t_ref, wanted = extremes(run, "reference", port.index)
+        dashed: dict[str, Any] = {"color": REFERENCE, "lw": 0.7, "ls": DASHES, "label": "reference", "zorder": 4}
+        handles += axes.plot(*gapped(run, t_ref, wanted), **dashed)
+        contents.append(wanted)
+    curves = None if limits is None else limits.curves(run)
+    level = not follows and (limits is None or (limits.symmetric and limits.fixed))
+    low, high, limited = value_range(contents, [values for _, values in curves or ()], level)
+    margin = 0.17 * (high - low)
+    axes.set_ylim(low - margin, high + margin)
     value_axis(axes, port.label, port.motion)
-    if shown:
-        handles.append(constraint(axes, limit, port.motion))
-    k = int(np.abs(y).argmax())
-    level = float(np.copysign((drawn + reach) / 2, y[k]))
-    note_peak(axes, float(t[k]), float(y[k]), f"peak {quantity(float(y[k]), port.motion)}", ink, level)
+    if limited and limits is not None and curves is not None:
+        handles.append(constraint(axes, *curves, limits.label))
+    if not follows:
+        k = int(np.abs(y).argmax())
+        height = high + margin / 2 if y[k] > 0 else low - margin / 2
+        note_peak(axes, float(t[k]), float(y[k]), f"peak {quantity(float(y[k]), port.motion)}", ink, height)
     if len(handles) > 1:
         legend_row(figure, handles)
-    return figure, _sentence(port, run, behind, limit, t, y)
+    return figure, _sentence(port, run, behind, of)
 
 
-def _sentence(port: PortNames, run: Result, behind: Result | None, limit: float, t: np.ndarray, y: np.ndarray) -> str:
-    peaks = trial_peaks(run, "y", port.index)
-    first, last = quantity(peaks[0], port.motion), quantity(peaks[-1], port.motion)
-    text = f"The largest |{port.text}|"
+def _sentence(port: PortNames, run: Result, behind: Result | None, of: str) -> str:
+    limits, follows = limits_of(run.scenario, of), tracked(run, of)
+    peaks = error_peaks(run, of) if follows else trial_peaks(run, "y", port.index)
+    text = f"The largest error |{port.text} {MINUS} reference|" if follows else f"The largest |{port.text}|"
     if run.trials == 1:
-        text += f" is {first} in the only trial"
-    elif (verb := trend(peaks[0], peaks[-1])) == "stays":
-        text += f" is {first} in trial 0 and {last} in trial {run.trials - 1}"
+        text += f" is {quantity(peaks[0], port.motion)} in the only trial"
     else:
-        text += f" of a trial {verb} from {first} in trial 0 to {last} in trial {run.trials - 1}"
-    if np.isfinite(limit):
-        text += "; " + _against(limit, port.motion, peaks, t, y)
+        text += course(peaks, port.motion, " of a trial")
+    if limits is not None:
+        text += f"; {limits.words} {against(run, of)}"
     if behind is not None:
-        grey = trial_peaks(behind, "y", port.index)
+        grey = error_peaks(behind, of) if follows else trial_peaks(behind, "y", port.index)
         text += f". Without control it is {quantity(grey[-1], port.motion)} in trial {behind.trials - 1}"
         text += f", and {quantity(grey.max(), port.motion)} at its largest"
     return text + "."
 
 
-def _against(limit: float, unit: str, peaks: np.ndarray, t: np.ndarray, y: np.ndarray) -> str:
-    """The constraint, in words: kept with what margin, or broken when and by how much."""
-    value = f"the constraint of {plain_number(limit)} {unit}"
-    if peaks.max() < limit:
-        return f"{value} is never reached, the margin is {percent(1 - peaks.max() / limit)}"
-    broken = np.flatnonzero(peaks >= limit)
-    when = f"trial {broken[0]}" if len(broken) == 1 else f"{len(broken)} of {len(peaks)} trials"
-    which = f" ({ranges(broken.tolist())})" if 1 < len(broken) < len(peaks) else ""
-    first = float(t[np.abs(y) >= limit][0])
-    return f"{value} is broken in {when}{which}, first near t = {first:.4g} s, by {percent(peaks.max() / limit - 1)} at most"
+def against(run: Result, of: str) -> str:
+    """What became of the constraint: kept with what margin, or broken when and by how much."""
+    shares, beyond = fraction_of_limit(run, of), first_beyond(run, of)
+    if beyond is None:
+        return f"is never reached, the margin is {percent(1 - shares.max())}"
+    broken = np.flatnonzero(shares >= 1)
+    when = f"trial {broken[0]}" if len(broken) == 1 else f"{len(broken)} of {len(shares)} trials"
+    which = f" ({ranges(broken.tolist())})" if 1 < len(broken) < len(shares) else ""
+    trial, t = beyond
+    at = f"first at t = {t + trial * float(run.scenario.task.trial_duration):.4g} s"
+    return f"is broken in {when}{which}, {at}, by {percent(shares.max() - 1)} at most"

@@ -1,0 +1,66 @@
+"""Which figures show a run that has no plan of its own: chosen by its task, its actuators and its mode."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from dampen.actuators.ideal import Ideal
+from dampen.report.joined import uncontrolled
+from dampen.report.names import tracked
+from dampen.scenarios.figures import FigurePlan, View
+from dampen.simulation.result import Result
+
+MOST = 12
+COMMANDED: tuple[View, ...] = ("delivered", "loop", "samples")  # nothing to see in a run without control
+CAPTIONS: dict[View, str] = {
+    "field": "{}(x, t) over all trials",
+    "port": "Motion at {}",
+    "peaks": "Largest |{}| of each trial",
+    "delivered": "What the actuator delivers at {}",
+    "tracking": "{} and its reference",
+    "error": "Error at {} from trial to trial",
+    "loop": "The actuator's loop at {}",
+    "samples": "What the controller sees and does at {}",
+}
+
+
+def default_plan(result: Result) -> tuple[FigurePlan, ...]:
+    """The figures made for the task, the first of them in order of importance where they would be too many.
+
+    suppression: every field, every port, peaks, delivered forces;   tracking: tracking and error at ports with a reference,
+    the motion of the others, delivered forces, fields;   both: loops at ports whose actuator is not ideal, and samples.
+    """
+    ports, fields = result.scenario.ports, [name for name, _ in result.scenario.plant.fields]
+    following = [name for name in ports if tracked(result, name)]
+    if following:
+        free = [name for name in ports if name not in following]
+        views: list[tuple[View, Sequence[str]]] = [("tracking", following), ("error", following), ("port", free)]
+        views += [("delivered", ports), ("field", fields)]
+    else:
+        views = [("field", fields), ("port", ports), ("peaks", fields), ("delivered", ports)]
+    views += [("loop", [name for name in ports if not ideal(result, name)]), ("samples", sampled_ports(result))]
+    plan = [figure(view, name) for view, names in views for name in names]
+    if uncontrolled(result):
+        plan = [one for one in plan if one.view not in COMMANDED]
+    return tuple(plan[:MOST])
+
+
+def figure(view: View, of: str) -> FigurePlan:
+    """One figure with the caption of its view."""
+    return FigurePlan(f"{view}_{of}", view, of, CAPTIONS[view].format(of))
+
+
+def ideal(result: Result, port: str) -> bool:
+    """Whether a port's actuator delivers what it is commanded."""
+    return all(isinstance(stage, Ideal) for stage in result.scenario.actuators.get(port, ()))
+
+
+def sampled_ports(result: Result) -> Sequence[str]:
+    """The ports at which a controller acts through samples."""
+    return result.scenario.ports if result.scenario.sampled and not uncontrolled(result) else ()
+
+
+def with_samples(plan: Sequence[FigurePlan], result: Result) -> tuple[FigurePlan, ...]:
+    """A scenario's own plan, and for a sampled run what it cannot know of: the samples."""
+    shown = {(one.view, one.of) for one in plan}
+    return (*plan, *(figure("samples", port) for port in sampled_ports(result) if ("samples", port) not in shown))
