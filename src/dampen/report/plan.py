@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
+from dampen.actuators.absent import Absent
 from dampen.actuators.ideal import Ideal
 from dampen.report.joined import uncontrolled
 from dampen.report.names import tracked
@@ -31,14 +32,15 @@ def default_plan(result: Result) -> tuple[FigurePlan, ...]:
     the motion of the others, delivered forces, fields;   both: loops at ports whose actuator is not ideal, and samples.
     """
     ports, fields = result.scenario.ports, [name for name, _ in result.scenario.plant.fields]
+    driven = [name for name in ports if not absent(result, name)]
     following = [name for name in ports if tracked(result, name)]
     if following:
         free = [name for name in ports if name not in following]
         views: list[tuple[View, Sequence[str]]] = [("tracking", following), ("error", following), ("port", free)]
-        views += [("delivered", ports), ("field", fields)]
+        views += [("delivered", driven), ("field", fields)]
     else:
-        views = [("field", fields), ("port", ports), ("peaks", fields), ("delivered", ports)]
-    views += [("loop", [name for name in ports if not ideal(result, name)]), ("samples", sampled_ports(result))]
+        views = [("field", fields), ("port", ports), ("peaks", fields), ("delivered", driven)]
+    views += [("loop", [name for name in driven if not ideal(result, name)]), ("samples", sampled_ports(result))]
     plan = [figure(view, name) for view, names in views for name in names]
     if uncontrolled(result):
         plan = [one for one in plan if one.view not in COMMANDED]
@@ -55,12 +57,20 @@ def ideal(result: Result, port: str) -> bool:
     return all(isinstance(stage, Ideal) for stage in result.scenario.actuators.get(port, ()))
 
 
+def absent(result: Result, port: str) -> bool:
+    """Whether there is no actuator at a port."""
+    return any(isinstance(stage, Absent) for stage in result.scenario.actuators.get(port, ()))
+
+
 def sampled_ports(result: Result) -> Sequence[str]:
     """The ports at which a controller acts through samples."""
-    return result.scenario.ports if result.scenario.sampled and not uncontrolled(result) else ()
+    scenario = result.scenario
+    return [name for name in scenario.ports if not absent(result, name)] if scenario.sampled and not uncontrolled(result) else ()
 
 
-def with_samples(plan: Sequence[FigurePlan], result: Result) -> tuple[FigurePlan, ...]:
-    """A scenario's own plan, and for a sampled run what it cannot know of: the samples."""
+def completed(plan: Sequence[FigurePlan], result: Result) -> tuple[FigurePlan, ...]:
+    """A scenario's own plan, and what it cannot know of: the samples of a sampled run, the loops where hysteresis is inverted."""
+    inverted = [port for port in result.scenario.compensation if not uncontrolled(result)]
+    more = [*(figure("loop", port) for port in inverted), *(figure("samples", port) for port in sampled_ports(result))]
     shown = {(one.view, one.of) for one in plan}
-    return (*plan, *(figure("samples", port) for port in sampled_ports(result) if ("samples", port) not in shown))
+    return (*plan, *(one for one in more if (one.view, one.of) not in shown))

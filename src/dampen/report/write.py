@@ -9,7 +9,7 @@ from dampen.analysis.claims import Claim
 from dampen.analysis.sampling_cost import sampling_cost
 from dampen.report.figures import Job, Progress, draw_jobs, jobs_of
 from dampen.report.page import write_page
-from dampen.report.plan import default_plan, with_samples
+from dampen.report.plan import completed, default_plan
 from dampen.scenarios.figures import FigurePlan
 from dampen.simulation.result import Result
 
@@ -34,7 +34,7 @@ def write_report(
               sampling costs.
     """
     folder = Path(folder)
-    jobs = jobs_of(with_samples(plan, result) if plan else default_plan(result), result, baseline)
+    jobs = jobs_of(completed(plan, result) if plan else default_plan(result), result, baseline)
     if result.trials:
         other = baseline if baseline is not None and baseline.trials else None
         jobs.append(Job("energy", "Energy of the structure and of the barrier", "energy", "", result, other))

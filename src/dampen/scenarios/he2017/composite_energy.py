@@ -24,18 +24,18 @@ def rises(energy: Array) -> list[int]:
 
 def composite_energy(result: Result, lambdas: tuple[float, ...] = LAMBDAS) -> tuple[Array, Array] | None:
     """(trials, lambdas) E_j(T_b), and the sum of the differences (46) begun at E_0(T_b); None for another law."""
-    law, dt = result.scenario.controller, result.scenario.numerics.step
+    law, (steps, dt) = result.scenario.controller, result.scenario.law_grid
     if not isinstance(law, DualLoopAILC):
         return None
-    decay = np.array(lambdas)
-    weights = np.exp(-np.outer(decay, result.layout.coordinates["step"][1])) * dt
+    decay, rate = np.array(lambdas), "rate_estimate" if result.scenario.sampled else "v"
+    weights = np.exp(-np.outer(decay, (np.arange(steps) + 0.5) * dt)) * dt
     end = np.exp(-decay * result.scenario.task.trial_duration)
     damping, observer = np.array([law.alpha_4, law.alpha_7]), np.array([law.alpha_8, law.alpha_9])
     d_bar, zeta_before = gap_widths(result), np.zeros((weights.shape[1], 2))
     start, final, integrals = [], [], []
     for j in range(result.trials):
         first, last = unweighted(result, j)
-        xi = zeta_before - damping * np.asarray(result["v"][j])
+        xi = zeta_before - damping * np.asarray(result[rate][j])
         short = d_bar - np.asarray(result["d_hat"][j])
         start.append(first)
         final.append(end * last)
