@@ -25,8 +25,8 @@ SOFTNESS = 1.0
 RELAXATION = 0.05
 TOLERANCE = 1e-12
 ITERATIONS = 200
-GAPLESS = 1e-17
-ROUNDING = 1e-16  # of the force that would stop the port: smaller forces cannot be told from none
+GAPLESS = 1e-17  # a bracket this narrow, against what it began with, has closed on a jump
+NOTHING = 1e-20  # a force this small, against those at hand, is zero: a flat actuator's root may be zero itself
 
 
 def stage_step(code, command, state, parameters, new_state):
@@ -72,11 +72,12 @@ def port_force(port, stages, v_free, g, dt):
 
     slip, slip_r = hold, output - hold
     x, over, over_r = output, output, 0.0
+    nothing = NOTHING * (abs(hold) + abs(output))
     for iteration in range(ITERATIONS):
         command = slip_command(port, sign, w + h * x, v_free + g * x, dt)
         output = through(port, command, stages)
         r = output - x
-        if abs(r) <= TOLERANCE * (abs(output) + abs(x)) + ROUNDING * abs(hold):
+        if abs(r) <= TOLERANCE * (abs(output) + abs(x)) + nothing:
             contraction = min(abs(1 + (over_r - slip_r) / (over - slip)), 1.0)
             settle(port, output, command, w + h * output, -contraction / (h * (1 + contraction)))
             return
@@ -168,7 +169,7 @@ def command_for(port, target, near, near_output, far, far_output, stages):
             low = max(low, guess)
         else:
             high = min(high, guess)
-        if high - low <= GAPLESS * (abs(near) + abs(far)):
+        if iteration > 1 and high - low <= GAPLESS * (abs(near) + abs(far)):
             break
         guess = near - (near_output - target) / port.feedthrough if iteration == 0 else 0.5 * (low + high)
     return guess
