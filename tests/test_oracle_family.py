@@ -187,7 +187,7 @@ def test_lqg_agrees_with_a_design_from_its_definition(delay: int) -> None:
     plant = replace(plant, omega=(1.0, *plant.omega[1:]))
     law = dampen.LQG(modes=3, energy_weight=2.0, error_weight={"p1": 30.0}, effort_weight=0.3, force_noise=0.2, sensor_noise=1e-3)
     sampling = dampen.Sampling(period=PERIOD, delay=delay * STEP, noise={"p0": 1e-4}, command_limit={"p1": 2.0})
-    case = through_samples(replace(family("log", "chained"), plant=plant, controller=law), sampling)
+    case = replace(through_samples(replace(family("log", "chained"), plant=plant), sampling), controller=law)
     m = plant.modes(3)
     regulator = oracle_sampled.Regulator(
         m.omega, m.decay, m.b, PERIOD, delay * STEP, 2.0, np.array([0.0, 30.0]), 0.3, 0.2, 1e-3
