@@ -132,7 +132,11 @@ def still_slips(port, stages, v_free, g, w, h, dt):
             settle(port, output, command, w + h * output, answer(port, slope, g, h))
             return True
         if iteration > 0:
+            if x == x_before:
+                return False
             slope = (r - r_before) / (x - x_before)
+            if not slope <= -0.5:  # it is at most -1: rounding rules here
+                return False
         x_before, r_before = x, r
         x -= r / slope
     return False
