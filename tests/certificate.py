@@ -44,7 +44,7 @@ def faults(result: dampen.Result, modes: Any, deliver: Sequence[Any], starts: Se
             slow = slow + oracle.RELAXATION * (force - slow)
         rate = np.diff(trial["y"] - case.reference(j), axis=0) / structure.dt
         rate += np.diag(structure.gain) / structure.dt * oracle.SOFTNESS * (trial["delivered"] - slow_at)
-        note(worst, "rate", rate - trial["v"], rate)
+        note(worst, "rate", rate - trial["v"], np.diff(trial["y"], axis=0) / structure.dt)
         note(worst, "law", law_gap(case, j, law, trial), trial["command"])
         delivered = np.zeros_like(trial["delivered"])
         for k, command in enumerate(trial["command"]):

@@ -58,9 +58,7 @@ class Digital:
         self.error, self.rate = expected + self.l_1 * surprise, self.rate + self.l_2 * surprise / self.seconds
 
 
-def simulate(
-    omega, b, decay, q, rate, dt, digital, law, noise, reference, disturbance, load, deliver, states, command
-):
+def simulate(omega, b, decay, q, rate, dt, digital, law, noise, reference, disturbance, load, deliver, states, command):
     """One trial; command: the one that acts as it begins. law(s, e, v, r) -> commands of sample s."""
     structure = Structure(omega, decay, b, dt)
     b, n, steps, states = structure.b, structure.n, len(load), list(states)
