@@ -211,7 +211,9 @@ def test_the_lifted_response_is_a_pulse_through_the_loop_without_noise_steps_and
     case = dampen.Scenario(
         plant=still, controller=dampen.NormOptimalILC(**feedback), disturbance=dampen.NoDisturbance(),
         task=dampen.Task(trials=1, trial_duration=STEP * STEPS), output=dampen.Output(every=STEPS),
-        numerics=dampen.Numerics(modes=22, step=STEP, mode="sampled"), actuators={"p0": sloped, "p1": sloped},
+        numerics=dampen.Numerics(modes=22, step=STEP, mode="sampled"),
+        actuators={"p0": sloped, "p1": sloped},
+        compensation={"p0": (FlankInverse(AssumedBacklash(1.0, 1.0, 0.0)),)},
         sampling=dampen.Sampling(period=PERIOD, switching=switching, delay=3 * STEP, noise={"p0": 1e-3},
                                  quantum={"p1": 1e-3}, command_limit={"p0": 0.1}),
     )  # fmt: skip
