@@ -1,4 +1,4 @@
-"""Slow, plain reference for one trial of a beam with a control law at its ports.
+"""Slow, plain reference for one trial of a structure with a control law at its ports.
 
 It shows that the compiled solver solves the equations it claims to solve: the same discrete problem is written
 down again from its definition and solved by bracketing. It uses numpy and scipy only and shares no code with the
@@ -15,11 +15,16 @@ from scipy.optimize import brentq
 SOFTNESS = 1.0
 RELAXATION = 0.05
 SWEEPS = 500
+NODES = 16
+PI = np.longdouble("3.14159265358979323846264338327950288")
 
 
 @dataclass
 class Trial:
-    """Grid quantities have steps + 1 rows, step quantities have steps rows; the last four are the final state."""
+    """Grid quantities have steps + 1 rows, step quantities have steps rows; the last four are the final state.
+
+    y is the displacement, v the rate of the error y - reference that the law sees.
+    """
 
     y: np.ndarray
     v: np.ndarray
@@ -27,6 +32,7 @@ class Trial:
     delivered: np.ndarray
     energy: np.ndarray
     work_load: np.ndarray
+    dissipated: np.ndarray
     q: np.ndarray
     rate: np.ndarray
     states: list
@@ -34,13 +40,16 @@ class Trial:
 
 
 class Law(NamedTuple):
-    """What the law of one port knows in one step."""
+    """What the law of one port knows in one step; low and high limit its error."""
 
     feedforward: float
     coulomb: float
     damping: float
+    stiffness: float
     barrier: float
-    limit: float
+    low: float
+    high: float
+    shape: str
 
 
 def ideal():
@@ -64,41 +73,77 @@ def compensated_play(slope, right, left, assumed_slope, assumed_left):
     return lambda u, old: actuator(u / assumed_slope + assumed_left, old)
 
 
-def increments(omega, dt):
-    """Matrices A, P such that the state (q, dt rate) grows by P (A state + input) in one step of held input.
+class Structure:
+    """Exact motion of the modes over one step of held forces.
 
-    Time runs in units of dt, so that all entries are of order one, and the increment itself is propagated, not the
-    end state: subtracting two nearly equal states would leave too few digits for the velocity and the force.
+    Time runs in units of dt, so that all entries are of order one; the state is (q, dt rate), and its increment is
+    propagated, not the end state: subtracting two nearly equal states would leave too few digits for velocity and force.
     """
-    n = len(omega)
-    a = np.zeros((2 * n, 2 * n))
-    a[:n, n:] = np.eye(n)
-    a[n:, :n] = -np.diag((omega * dt) ** 2)
-    held = np.zeros((4 * n, 4 * n))
-    held[: 2 * n, : 2 * n] = a
-    held[: 2 * n, 2 * n :] = np.eye(2 * n)
-    return a, expm(held)[: 2 * n, 2 * n :]
+
+    def __init__(self, omega, decay, b, dt):
+        self.omega, self.b = np.asarray(omega, float), np.asarray(b, float)
+        self.decay = np.zeros_like(self.omega) if decay is None else np.asarray(decay, float)
+        self.n, self.dt = len(self.omega), dt
+        n = self.n
+        self.a = np.zeros((2 * n, 2 * n))
+        self.a[:n, n:] = np.eye(n)
+        self.a[n:, :n] = -np.diag((self.omega * dt) ** 2)
+        self.a[n:, n:] = -2 * np.diag(self.decay * dt)
+        self.grow = self.growth(1.0)
+        self.pushed = dt**2 * self.grow[:, n:] @ self.b.T
+        self.gain = self.b @ self.pushed[:n]
+        nodes, weights = np.polynomial.legendre.leggauss(NODES)
+        self.inside = [(w / 2, self.growth((s + 1) / 2)[n:]) for s, w in zip(nodes, weights, strict=True)]
+
+    def growth(self, share):
+        """The state grows by this matrix times (a state + input) in a share of the step."""
+        size = 2 * self.n
+        held = np.zeros((2 * size, 2 * size))
+        held[:size, :size] = self.a
+        held[:size, size:] = np.eye(size)
+        return expm(share * held)[:size, size:]
+
+    def change(self, state, force):
+        """a state + input under modal forces."""
+        return self.a @ state + np.concatenate([np.zeros(self.n), self.dt**2 * force])
+
+    def lost(self, state, force):
+        """int 2 decay rate^2 over the step, by Gauss points on the exact motion."""
+        change = self.change(state, force)
+        rates = [(w, (state[self.n :] + grow @ change) / self.dt) for w, grow in self.inside]
+        return self.dt * sum(w * np.sum(2 * self.decay * rate**2) for w, rate in rates)
+
+    def energy(self, grid):
+        """Of states, one a row."""
+        return ((grid[:, self.n :] / self.dt) ** 2 + (self.omega * grid[:, : self.n]) ** 2).sum(axis=1) / 2
 
 
-def potential_slope(y, dy, limit):
-    """(V(y + dy) - V(y)) / dy for V = ln^2(C^2 / (C^2 - y^2)) / 4."""
-    c = np.longdouble(limit)
-    start, end = np.longdouble(y), np.longdouble(y) + np.longdouble(dy)
-    room = c - max(abs(start), abs(end))
+def potential(at, c, shape):
+    """V and V' at `at` inside a symmetric limit c, in extended precision."""
+    rest = (c - at) * (c + at)
+    if shape == "log":
+        logarithm = -np.log1p(at / c) - np.log1p(-at / c)
+        return logarithm**2 / 4, at / rest * logarithm
+    to_edge = PI / 2 * rest / c**2  # pi/2 less the angle of the tangent
+    return np.cos(to_edge) / np.sin(to_edge) / PI, at / c**2 / np.sin(to_edge) ** 2
+
+
+def potential_slope(y, dy, low, high, shape):
+    """(V(y + dy) - V(y)) / dy, where V(y) has the limit high for y > 0 and -low for y < 0."""
+    start = np.longdouble(y)
+    end = start + np.longdouble(dy)
+    ends = [(at, np.longdouble(high if at > 0 or (at == 0 and start + end > 0) else -low)) for at in (start, end)]
+    room = min(c - abs(at) for at, c in ends)
     if not room > 0:
         raise ArithmeticError("port outside its limit, where the barrier is undefined")
-
-    def logarithm(at):
-        return -np.log1p(at / c) - np.log1p(-at / c)
-
-    def derivative(at):
-        return at / ((c - at) * (c + at)) * logarithm(at)
-
-    # Over a thousandth of the distance to the singularity Simpson's mean of V' is good to 1e-14; beyond it the
-    # difference of V loses only three digits of the extended ones.
-    if abs(dy) < 1e-3 * room:
-        return float((derivative(start) + 4 * derivative((start + end) / 2) + derivative(end)) / 6)
-    return float((logarithm(end) ** 2 - logarithm(start) ** 2) / 4 / (end - start))
+    # Over a thousandth of the distance to the singularity Simpson's mean of V' is good to 1e-13; beyond it the
+    # difference of V loses only three digits of the extended ones. From one side to the other dy is as long as y.
+    if start * end >= 0 and abs(dy) < 1e-3 * room:
+        c = ends[0][1]
+        mean = [potential(at, c, shape)[1] for at in (start, (start + end) / 2, end)]
+        return float((mean[0] + 4 * mean[1] + mean[2]) / 6)
+    (before, _), (after, _) = (potential(at, c, shape) for at, c in ends)
+    return float((after - before) / (end - start))
 
 
 def bracket(gap, start, low, high):
@@ -135,17 +180,19 @@ def nearest_command(output, centre, reach, hold):
 
 
 def solve_port(law, output, y, drift, push, dt, slow):
-    """Delivered force, command and v_law of one port whose displacement in the step is drift + push * force."""
+    """Delivered force, command and v_law of one port whose error y changes by drift + push * force in the step."""
     stiffness = (1 + SOFTNESS) * push / dt
     hold = (SOFTNESS * push * slow - drift) / ((1 + SOFTNESS) * push)  # v_law = stiffness * (force - hold)
     low, high = -np.inf, np.inf
     if law.barrier > 0:
-        low, high = ((side * law.limit - y - drift) / push for side in (-1, 1))
+        low, high = ((limit - y - drift) / push for limit in (law.low, law.high))
 
     def command(force, sign):
+        moved = drift + push * force
         u = law.feedforward - law.damping * stiffness * (force - hold) - law.coulomb * sign
+        u -= law.stiffness * (y + moved / 2)
         if law.barrier > 0:
-            u -= law.barrier * potential_slope(y, drift + push * force, law.limit)
+            u -= law.barrier * potential_slope(y, moved, law.low, law.high, law.shape)
         return u
 
     if low < hold < high:
@@ -185,23 +232,30 @@ def solve_ports(laws, outputs, y, free, gain, dt, disturbance, slow, force):
 
 
 def simulate(
-    omega, b, q, rate, dt, feedforward, coulomb, damping, barrier, limit, disturbance, load, deliver, states, slow, force
-):
-    """One trial; force is the delivered force before it, only the first guess of the sweeps over the ports."""
-    omega, b, load, disturbance = (np.asarray(a, float) for a in (omega, b, load, disturbance))
-    n, steps, states, slow = len(omega), len(load), list(states), np.array(slow, float)
-    a, grow = increments(omega, dt)
-    pushed = dt**2 * grow[:, n:] @ b.T
-    gain = b @ pushed[:n]
+    omega, b, q, rate, dt, feedforward, coulomb, damping, barrier, low, high, disturbance, load, deliver, states, slow, force,
+    decay=None, stiffness=None, reference=None, shape="log",
+):  # fmt: skip
+    """One trial. low, high: limits of the error, (ports,) or for each step the one at its end, (steps, ports); reference:
+    (steps + 1, ports); force: the delivered force before it, only the first guess of the sweeps over the ports."""
+    structure = Structure(omega, decay, b, dt)
+    b, n = structure.b, structure.n
+    load, disturbance = (np.asarray(a, float) for a in (load, disturbance))
+    steps, ports, states, slow = len(load), len(b), list(states), np.array(slow, float)
+    low, high = (np.broadcast_to(limit, (steps, ports)) for limit in (low, high))
+    reference = np.zeros((steps + 1, ports)) if reference is None else reference
+    stiffness = np.zeros(ports) if stiffness is None else stiffness
     state = np.concatenate([q, dt * np.asarray(rate, float)])
-    grid, step, work = [state.copy()], [], []
+    grid, step, work, lost = [state.copy()], [], [], []
     for k in range(steps):
-        y = b @ state[:n]
-        free = grow @ (a @ state + np.concatenate([np.zeros(n), dt**2 * load[k]]))
-        laws = [Law(*row) for row in zip(feedforward[k], coulomb[k], damping, barrier, limit, strict=True)]
+        error = b @ state[:n] - reference[k]
+        free = structure.grow @ structure.change(state, load[k])
+        drift = b @ free[:n] - (reference[k + 1] - reference[k])
+        rows = zip(feedforward[k], coulomb[k], damping, stiffness, barrier, low[k], high[k], [shape] * ports, strict=True)
+        laws = [Law(*row) for row in rows]
         outputs = [lambda u, f=f, s=s: f(u, s)[0] for f, s in zip(deliver, states, strict=True)]
-        force, command, v = solve_ports(laws, outputs, y, b @ free[:n], gain, dt, disturbance[k], slow, force)
-        moved = free + pushed @ (force + disturbance[k])
+        force, command, v = solve_ports(laws, outputs, error, drift, structure.gain, dt, disturbance[k], slow, force)
+        moved = free + structure.pushed @ (force + disturbance[k])
+        lost.append(structure.lost(state, load[k] + b.T @ (force + disturbance[k])))
         state = state + moved
         states = [f(u, s)[1] for f, u, s in zip(deliver, command, states, strict=True)]
         slow = slow + RELAXATION * (force - slow)
@@ -209,6 +263,8 @@ def simulate(
         step.append((v, command, force))
         work.append(load[k] @ moved[:n])
     grid = np.array(grid)
-    v, command, delivered = np.array(step).reshape(steps, 3, len(b)).transpose(1, 0, 2)
-    energy = ((grid[:, n:] / dt) ** 2 + (omega * grid[:, :n]) ** 2).sum(axis=1) / 2
-    return Trial(grid[:, :n] @ b.T, v, command, delivered, energy, np.array(work), state[:n], state[n:] / dt, states, slow)
+    v, command, delivered = np.array(step).reshape(steps, 3, ports).transpose(1, 0, 2)
+    return Trial(
+        grid[:, :n] @ b.T, v, command, delivered, structure.energy(grid), np.array(work), np.array(lost), state[:n],
+        state[n:] / dt, states, slow,
+    )  # fmt: skip

@@ -40,7 +40,7 @@ def test_kernel_agrees_with_the_independent_oracle(law: str, grid: str, step: st
         disturbance, load, _ = bench.shaking(j)
         trial = oracle.simulate(
             modes.omega, modes.b, q, rate, case.numerics.step, port_law.feedforward, port_law.coulomb, port_law.damping,
-            port_law.barrier, case.limits()[1][0], disturbance, load, deliveries(case), states, slow, force,
+            port_law.barrier, *(limit[0] for limit in case.limits()), disturbance, load, deliveries(case), states, slow, force,
         )  # fmt: skip
         for name in ("y", "v", "delivered", "energy"):
             expected = getattr(trial, name)

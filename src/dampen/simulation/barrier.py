@@ -24,7 +24,7 @@ def barrier_gradient(y, y_new, memo, low, high):
 
 def barrier_memo(y_new, y, memo, low, high):
     """The memo of y_new, carried on from that of y."""
-    if y * y_new < 0.0 and low != -high:
+    if y * y_new <= 0.0 and low != -high:  # at 0 the memo of the other side would be carried
         return fresh_memo(y_new, low, high)
     return carried(y_new, y, memo, side(y_new, low, high))
 

@@ -26,7 +26,8 @@ RELAXATION = 0.05
 TOLERANCE = 1e-12
 ITERATIONS = 200
 GAPLESS = 1e-17  # a bracket this narrow, against what it began with, has closed on a jump
-NOTHING = 1e-20  # a force this small, against those at hand, is zero: a flat actuator's root may be zero itself
+NOTHING = 1e-20  # a force this small, against the one that would hold, is zero: a flat actuator's root may be zero itself
+LEAST = 1e-12
 
 
 def stage_step(code, command, state, parameters, new_state):
@@ -72,14 +73,14 @@ def port_force(port, stages, v_free, g, dt):
 
     slip, slip_r = hold, output - hold
     x, over, over_r = output, output, 0.0
-    nothing = NOTHING * (abs(hold) + abs(output))
+    nothing = NOTHING * abs(hold)
     for iteration in range(ITERATIONS):
         command = slip_command(port, sign, w + h * x, v_free + g * x, dt)
         output = through(port, command, stages)
         r = output - x
         if abs(r) <= TOLERANCE * (abs(output) + abs(x)) + nothing:
-            contraction = min(abs(1 + (over_r - slip_r) / (over - slip)), 1.0)
-            settle(port, output, command, w + h * output, -contraction / (h * (1 + contraction)))
+            slope = (over_r - slip_r) / (over - slip)
+            settle(port, output, command, w + h * output, answer(port, slope, g, h))
             return
         if (r > 0) == (slip_r > 0):
             slip, slip_r = x, r
@@ -89,11 +90,11 @@ def port_force(port, stages, v_free, g, dt):
             x = slip - slip_r * (over - slip) / (over_r - slip_r)
         if iteration >= 8 or over_r == 0.0 or x == slip or x == over:
             x = 0.5 * (slip + over)
-        if x == slip or x == over:
-            break
+            if x == slip or x == over:
+                break
     # The barrier is so stiff that rounding of y_new decides the command: keep the force, take the command that delivers it.
     command = command_for(port, x, command, output, edge, through(port, edge, stages), stages)
-    settle(port, x, command, w + h * x, -give)
+    settle(port, x, command, w + h * x, -1 / max(g, LEAST * h))
 
 
 def confirm(port, stages, v_free, g, dt):
@@ -101,7 +102,9 @@ def confirm(port, stages, v_free, g, dt):
     h = g + port.soft
     w = v_free - port.soft * port.slow
     if port.v_law == 0.0:
-        return still_sticks(port, stages, -w / h, 1 / h)
+        hold = -w / h
+        port.middle = port.feedforward - potential_force(port, v_free + g * hold, dt)
+        return still_sticks(port, stages, hold, 1 / h)
     return still_slips(port, stages, v_free, g, w, h, dt)
 
 
@@ -119,7 +122,9 @@ def still_sticks(port, stages, hold, give):
 def still_slips(port, stages, v_free, g, w, h, dt):
     """Slip on in the direction of the last v_law: a secant from the force that is there, with the last slope to begin with."""
     x, sign = port.force, math.copysign(1.0, port.v_law)
-    slope = -1 / (1 + port.slope * h) if port.slope * h > -0.5 else -1.0
+    slope = -1.0
+    if port.slope < 0.0:
+        slope = -(1 + port.feedthrough * port.damping * port.soft) / max(1 + port.slope * g, LEAST)
     x_before, r_before = x, 0.0
     for iteration in range(5):
         command = slip_command(port, sign, w + h * x, v_free + g * x, dt)
@@ -128,15 +133,28 @@ def still_slips(port, stages, v_free, g, w, h, dt):
         if abs(r) <= TOLERANCE * (abs(output) + abs(x)):
             if sign * (w + h * output) <= 0:
                 return False
-            settle(port, output, command, w + h * output, min(0.0, 1 + slope) / (-slope * h))
+            settle(port, output, command, w + h * output, answer(port, slope, g, h))
             return True
         if iteration > 0:
             if x == x_before or r == r_before:  # steeper than rounding can tell
                 return False
             slope = (r - r_before) / (x - x_before)
+            if not slope <= -0.5:  # it is at most -1: rounding rules here
+                return False
         x_before, r_before = x, r
         x -= r / slope
     return False
+
+
+def answer(port, slope, g, h):
+    """dB/dv_free of a slipping port, from the slope of its residual, -(1 + c h + k g).
+
+    Damping, c as the actuator passes it on, answers to v_law and so to h, the potential, k, to v and so to g. Told apart by
+    c: a barrier that holds the port gives -1/g, not -1/h.
+    """
+    give = max(0.0, -1 - slope)
+    damping = min(port.feedthrough * port.damping, give / h)
+    return -(damping + (give - damping * h) / max(g, LEAST * h)) / (1 + give)
 
 
 def slip_command(port, sign, v_law, v, dt):

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
@@ -24,8 +25,8 @@ def idle(ports: int) -> Sampler:
     return Sampler(0, 0, 1, 1.0, *(table,) * 6, *(row,) * 4, row, row, row, row, row, table, table, table)
 
 
-def sampler_of(scenario: Scenario, setting: Setting, noisy: bool = True) -> Sampler:
-    """The equipment of a run, before its first sample; without noise and quantiser where `noisy` is False."""
+def sampler_of(scenario: Scenario, setting: Setting) -> Sampler:
+    """The equipment of a run, before its first sample."""
     sampling, ports, controller = scenario.sampling, len(setting.ports), scenario.controller
     step = scenario.numerics.step
     period, delay = round(sampling.period / step), round(sampling.delay / step)
@@ -38,7 +39,7 @@ def sampler_of(scenario: Scenario, setting: Setting, noisy: bool = True) -> Samp
         delay=delay,
         ahead=ahead,
         seconds=sampling.period,
-        quantum=setting.by_port(sampling.quantum) * noisy,
+        quantum=setting.by_port(sampling.quantum),
         gain_1=np.full(ports, gain_1),
         gain_2=np.full(ports, gain_2),
         ceiling=setting.by_port(sampling.command_limit, np.inf),
@@ -73,6 +74,16 @@ def prepare(sampler: Sampler, scenario: Scenario, setting: Setting, law: PortLaw
     }
     arrays = {name: np.ascontiguousarray(a, float) for name, a in arrays.items()}
     return sampler._replace(**arrays)
+
+
+def linear(scenario: Scenario, setting: Setting, gain: Array) -> Scenario:
+    """The scenario with sensors that read exactly and commands without limit, for a law that is scaled by `gain` (ports,).
+
+    A law whose commands are `gain` times as large means the same nominal model where its compliance is that much smaller.
+    """
+    compliance = nominal_compliance(scenario.sampling, setting) / np.where(gain > 0, gain, 1.0)
+    by_port = {port.name: float(c) for port, c in zip(setting.ports, compliance, strict=True)}
+    return replace(scenario, sampling=replace(scenario.sampling, noise={}, quantum={}, command_limit={}, compliance=by_port))
 
 
 def begin_again(sampler: Sampler) -> None:

@@ -11,7 +11,7 @@ import numpy as np
 from dampen.controllers.base import PortLaw, Setting
 from dampen.simulation.bench import Bench
 from dampen.simulation.digital import Sampler
-from dampen.simulation.digital_side import idle, prepare, sampler_of
+from dampen.simulation.digital_side import idle, linear, prepare, sampler_of
 from dampen.simulation.kernel import Inputs
 from dampen.simulation.records import empty_record, modal_record, port_records
 from dampen.simulation.scenario import Scenario
@@ -71,7 +71,8 @@ def response(scenario: Scenario, bench: Bench) -> Array:
     """(intervals, ports out, ports in): tracking errors after a unit of feedforward in the law's first interval.
 
     The structure from rest, nothing shaking it, under the law's own damping and stiffness, every chain of stages replaced by
-    its slope in full motion: the linear experiment, run by the kernel itself.
+    its slope in full motion, sensors and commands without noise, steps and limits: the linear experiment, run by the kernel
+    itself.
     """
     controller, setting = scenario.controller, setting_of(scenario, bench=bench)
     law = controller.law(controller.begin(setting), setting)
@@ -87,7 +88,8 @@ def response(scenario: Scenario, bench: Bench) -> Array:
         scaled = PortLaw(pulse, damping=gain * law.damping, stiffness=gain * law.stiffness)
         sampler: Sampler = idle(ports)
         if scenario.sampled:
-            sampler = prepare(sampler_of(scenario, setting, noisy=False), scenario, setting, scaled, 0)
+            exact = linear(scenario, setting, gain)
+            sampler = prepare(sampler_of(exact, setting), exact, setting, scaled, 0)
             records.damping, records.stiffness, records.soft = 0.0, 0.0, 0.0
         still, free = np.zeros((n, ports)), np.full((n, ports), np.inf)
         load = np.zeros((n, bench.modes.count))
