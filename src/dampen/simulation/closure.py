@@ -28,6 +28,7 @@ ITERATIONS = 200
 GAPLESS = 1e-17  # a bracket this narrow, against what it began with, has closed on a jump
 NOTHING = 1e-20  # a force this small, against the one that would hold, is zero: a flat actuator's root may be zero itself
 LEAST = 1e-12
+UNMOVED = 1e-9  # of the way to the limit: a barrier that moves by less is where it was
 
 
 def stage_step(code, command, state, parameters, new_state):
@@ -44,7 +45,7 @@ def through(port, command, stages):
 
 
 def port_force(port, stages, v_free, g, dt):
-    """Solve the inclusion at one port: force, command, v_law, slope (dB/dv_free) and the stages' next states.
+    """Solve the inclusion at one port: force, command, v_law, the slope of the residual there, and the stages' next states.
 
     What the port did last is tried first; a solution found so is the solution, since there is only one. If that fails: with
     the force B_hold at which v_law = 0, do commands that the law allows there reach it? Then the port sticks. If not, the
@@ -57,18 +58,19 @@ def port_force(port, stages, v_free, g, dt):
         return
     give = 1 / h
     hold = -w * give
-    port.middle = port.feedforward - potential_force(port, v_free + g * hold, dt)
-    if port.v_law == 0.0 and still_sticks(port, stages, hold, give):
+    port.v_middle = v_free + g * hold
+    port.middle = port.feedforward - potential_force(port, port.v_middle, dt)
+    if port.v_law == 0.0 and still_sticks(port, stages, hold):
         return
     middle = through(port, port.middle, stages)
     if middle == hold:
-        settle(port, hold, port.middle, 0.0, -give)
+        settle(port, hold, port.middle, 0.0, 0.0)
         return
     sign = 1.0 if middle > hold else -1.0
     edge = port.middle - sign * port.coulomb
     output = through(port, edge, stages)
     if sign * (output - hold) <= 0:
-        settle(port, hold, command_for(port, hold, port.middle, middle, edge, output, stages), 0.0, -give)
+        settle(port, hold, command_for(port, hold, port.middle, middle, edge, output, stages), 0.0, 0.0)
         return
 
     slip, slip_r = hold, output - hold
@@ -79,8 +81,7 @@ def port_force(port, stages, v_free, g, dt):
         output = through(port, command, stages)
         r = output - x
         if abs(r) <= TOLERANCE * (abs(output) + abs(x)) + nothing:
-            slope = (over_r - slip_r) / (over - slip)
-            settle(port, output, command, w + h * output, answer(port, slope, g, h))
+            settle(port, output, command, w + h * output, (over_r - slip_r) / (over - slip))
             return
         if (r > 0) == (slip_r > 0):
             slip, slip_r = x, r
@@ -94,7 +95,7 @@ def port_force(port, stages, v_free, g, dt):
                 break
     # The barrier is so stiff that rounding of y_new decides the command: keep the force, take the command that delivers it.
     command = command_for(port, x, command, output, edge, through(port, edge, stages), stages)
-    settle(port, x, command, w + h * x, -1 / max(g, LEAST * h))
+    settle(port, x, command, w + h * x, -1 / LEAST)
 
 
 def confirm(port, stages, v_free, g, dt):
@@ -103,28 +104,30 @@ def confirm(port, stages, v_free, g, dt):
     w = v_free - port.soft * port.slow
     if port.v_law == 0.0:
         hold = -w / h
-        port.middle = port.feedforward - potential_force(port, v_free + g * hold, dt)
-        return still_sticks(port, stages, hold, 1 / h)
+        v = v_free + g * hold
+        room = UNMOVED * min(port.high - port.y, port.y - port.low)
+        if port.stiffness > 0.0 or not dt * abs(v - port.v_middle) <= room:
+            port.v_middle = v
+            port.middle = port.feedforward - potential_force(port, v, dt)
+        return still_sticks(port, stages, hold)
     return still_slips(port, stages, v_free, g, w, h, dt)
 
 
-def still_sticks(port, stages, hold, give):
+def still_sticks(port, stages, hold):
     """Try to deliver the new holding force from the flank that delivered the last."""
-    command = port.command + (hold - port.held) / port.feedthrough
+    command = port.command + (hold - port.held) * port.per_feedthrough
     output = through(port, command, stages)
     scale = abs(hold) + port.feedthrough * (abs(command) + port.coulomb)
     if abs(output - hold) > TOLERANCE * scale or abs(command - port.middle) > port.coulomb:
         return False
-    settle(port, hold, command, 0.0, -give)
+    settle(port, hold, command, 0.0, 0.0)
     return True
 
 
 def still_slips(port, stages, v_free, g, w, h, dt):
     """Slip on in the direction of the last v_law: a secant from the force that is there, with the last slope to begin with."""
     x, sign = port.force, math.copysign(1.0, port.v_law)
-    slope = -1.0
-    if port.slope < 0.0:
-        slope = -(1 + port.feedthrough * port.damping * port.soft) / max(1 + port.slope * g, LEAST)
+    slope = min(port.slope, -1.0)
     x_before, r_before = x, 0.0
     for iteration in range(5):
         command = slip_command(port, sign, w + h * x, v_free + g * x, dt)
@@ -133,7 +136,7 @@ def still_slips(port, stages, v_free, g, w, h, dt):
         if abs(r) <= TOLERANCE * (abs(output) + abs(x)):
             if sign * (w + h * output) <= 0:
                 return False
-            settle(port, output, command, w + h * output, answer(port, slope, g, h))
+            settle(port, output, command, w + h * output, slope)
             return True
         if iteration > 0:
             if x == x_before or r == r_before:  # steeper than rounding can tell
@@ -146,15 +149,18 @@ def still_slips(port, stages, v_free, g, w, h, dt):
     return False
 
 
-def answer(port, slope, g, h):
-    """dB/dv_free of a slipping port, from the slope of its residual, -(1 + c h + k g).
+def answer(port, g):
+    """dB/dv_free: how the port's force answers to a push from elsewhere.
 
-    Damping, c as the actuator passes it on, answers to v_law and so to h, the potential, k, to v and so to g. Told apart by
-    c: a barrier that holds the port gives -1/g, not -1/h.
+    Where it sticks, -1/h. Where it slips its residual has the slope -(1 + c h + k g): damping, c as the actuator passes it on,
+    answers to v_law and so to h, the potential, k, to v and so to g. Told apart by c: a barrier that holds the port gives -1/g.
     """
-    give = max(0.0, -1 - slope)
-    damping = min(port.feedthrough * port.damping, give / h)
-    return -(damping + (give - damping * h) / max(g, LEAST * h)) / (1 + give)
+    h = g + port.soft
+    if port.v_law == 0.0:
+        return -1 / h
+    give, least = max(0.0, -1 - port.slope), max(g, LEAST * h)
+    damping = min(port.feedthrough * port.damping * h, give)
+    return -(damping * least + (give - damping) * h) / (h * least * (1 + give))
 
 
 def slip_command(port, sign, v_law, v, dt):
@@ -164,10 +170,12 @@ def slip_command(port, sign, v_law, v, dt):
 
 def potential_force(port, v, dt):
     """The law's potential terms, their discrete gradients, if the port moves with mean velocity v."""
-    force = port.stiffness * (port.y + 0.5 * dt * v)
-    if port.barrier == 0.0:
-        return force
-    return force + port.barrier * barrier_gradient(port.y, port.y + dt * v, port.memo, port.low, port.high)
+    force = 0.0
+    if port.barrier > 0.0:
+        force = port.barrier * barrier_gradient(port.y, port.y + dt * v, port.memo, port.low, port.high)
+    if port.stiffness > 0.0:
+        force += port.stiffness * (port.y + 0.5 * dt * v)
+    return force
 
 
 def command_for(port, target, near, near_output, far, far_output, stages):
@@ -194,7 +202,7 @@ def command_for(port, target, near, near_output, far, far_output, stages):
 
 
 def settle(port, force, command, v_law, slope):
-    """Write down what a port came to."""
+    """Write down what a port came to; `slope` is that of its residual, 0 where it sticks."""
     port.force = force
     port.command = command
     port.v_law = v_law

@@ -28,7 +28,7 @@ _ROW = (float, MODES_AT_MOST + 32)
 PORT = np.dtype(
     [
         # the chain of stages between law and force: stages first .. last - 1, their slope in full motion and within a step
-        ("first", int), ("last", int), ("gain", float), ("feedthrough", float),
+        ("first", int), ("last", int), ("gain", float), ("feedthrough", float), ("per_feedthrough", float),
         # the port's numerical compliance
         ("soft", float),
         # the law: constant in a trial, then held over the step
@@ -37,7 +37,8 @@ PORT = np.dtype(
         # the port as the step begins: its tracking error y, low < y < high
         ("y", float), ("memo", float), ("v_free", float), ("slow", float),
         # what the closure finds, and its working values
-        ("force", float), ("command", float), ("v_law", float), ("slope", float), ("middle", float), ("held", float),
+        ("force", float), ("command", float), ("v_law", float), ("slope", float), ("answer", float),
+        ("middle", float), ("v_middle", float), ("held", float),
         ("guess", float), ("v_others", float),
     ]
 )  # fmt: skip

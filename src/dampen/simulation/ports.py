@@ -1,7 +1,7 @@
 """All ports of one step: each port's closure is solved inside the response of the ports before it.
 
 The ports are coupled by v = v_free + G B. Port p is solved with the later ports' forces as guessed. How its own force would
-answer to theirs, slope_p = dB_p/dv_free, is then eliminated from the equations of the later ports, as in Gaussian elimination;
+answer to theirs, answer_p = dB_p/dv_free, is then eliminated from the equations of the later ports, as in Gaussian elimination;
 back substitution follows, and every port but the last is checked against the forces that came out. Where no port changed
 between sticking and slipping that is Newton's method on a piecewise smooth problem: one round settles it, however strongly
 the ports are coupled. Should rounds ever cycle, plain sweeps take over, which always converge here.
@@ -9,7 +9,7 @@ the ports are coupled. Should rounds ever cycle, plain sweeps take over, which a
 
 from __future__ import annotations
 
-from dampen.simulation.closure import confirm, port_force, through
+from dampen.simulation.closure import answer, confirm, port_force, through
 
 NEWTON_ROUNDS = 20
 ROUNDS = 300
@@ -24,7 +24,7 @@ def close_ports(ports, stages, g, coupling, dt):
         settled = True
         for p in range(PORTS - 2, -1, -1):
             for r in range(p + 1, PORTS):
-                ports[p].force += ports[p].slope * coupling[p, r] * (ports[r].force - ports[r].guess)
+                ports[p].force += ports[p].answer * coupling[p, r] * (ports[r].force - ports[r].guess)
         for p in range(PORTS - 1):
             predicted = ports[p].force
             v_others = velocity(p, ports, g) - g[p, p] * predicted
@@ -60,13 +60,13 @@ def forward(ports, stages, g, coupling, dt, newton):
     for p in range(PORTS):
         port = ports[p]
         port_force(port, stages, port.v_others, coupling[p, p], dt)
-        if not newton:
-            port.slope = 0.0
+        if p + 1 < PORTS:
+            port.answer = answer(port, coupling[p, p]) if newton else 0.0
         for r in range(p + 1, PORTS):
-            answer = coupling[r, p] * port.slope
-            ports[r].v_others += coupling[r, p] * (port.force - port.guess) - answer * coupling[p, r] * ports[r].guess
+            passed = coupling[r, p] * port.answer
+            ports[r].v_others += coupling[r, p] * (port.force - port.guess) - passed * coupling[p, r] * ports[r].guess
             for t in range(p + 1, PORTS):
-                coupling[r, t] += answer * coupling[p, t]
+                coupling[r, t] += passed * coupling[p, t]
 
 
 def velocity(p, ports, g):

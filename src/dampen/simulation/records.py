@@ -62,6 +62,7 @@ def port_records(chains: Sequence[Sequence[Stage]], step: Step, classes: Sequenc
             port.gain *= stage.gain
             port.feedthrough *= stage.feedthrough(step.dt)
             s += 1
+        port.per_feedthrough = 1 / port.feedthrough
     return ports, stages
 
 
