@@ -18,10 +18,11 @@ HEAD = """# What depends on the time step
 Every shipped scenario at its own step, at half and at a quarter of it; made by `python benchmarks/refinement.py`. Modes, sample
 periods and delays stay as they are. The last two columns say how far the shipped and the halved step are from the quarter.
 
-Smooth motion converges at second order and moves by little. Where the set-valued Sgn is at work, the force that holds a
-stuck port is a matter of the step: its variation depends on it most, the motion hardly. In sampled scenarios the
-controller's own period decides about chatter, and the step only about how exactly the structure moves between samples;
-with sensor noise or a late command that motion is chaotic in detail, and figures of single trials scatter.
+Smooth laws (LQG, PD with the tan barrier, norm-optimal learning) converge at second order and move by little. Where a
+set-valued Sgn holds a port, the force that holds it and what is left in late trials depend on the step: a stuck port has a
+numerical compliance, proportional to the step, that takes energy from what is trapped behind it. Peaks and constraint margins,
+which belong to the first trials, do not move. In sampled scenarios the controller's own period decides about chatter, and the
+step only about how exactly the structure moves between samples.
 """
 
 

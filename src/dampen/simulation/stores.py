@@ -77,7 +77,10 @@ class FileStore(Store):
         for name, v in layout.variables.items():
             packing: dict[str, Any] = {"zlib": True, "complevel": 4} if v.kind == "f4" else {}
             chunks = (1, *layout.shape(v))
-            variable = self.file.createVariable(name, v.kind, ("trial", *v.dims), chunksizes=chunks, **packing)
+            held = int(np.prod(chunks)) * np.dtype(v.kind).itemsize  # one trial: more would only fill memory
+            variable = self.file.createVariable(
+                name, v.kind, ("trial", *v.dims), chunksizes=chunks, chunk_cache=max(held, 1024), **packing
+            )
             variable.set_auto_mask(False)
             variable.long_name = v.meaning
             if v.unit:
