@@ -28,8 +28,9 @@ CAPTIONS: dict[View, str] = {
 def default_plan(result: Result) -> tuple[FigurePlan, ...]:
     """The figures made for the task, the first of them in order of importance where they would be too many.
 
-    suppression: every field, every port, peaks, delivered forces;   tracking: tracking and error at ports with a reference,
-    the motion of the others, delivered forces, fields;   both: loops at ports whose actuator is not ideal, and samples.
+    suppression: every field, every port, peaks, delivered forces, and where there is room the fields without control;
+    tracking: tracking and error at ports with a reference, the motion of the others, delivered forces, fields;
+    both: loops at ports whose actuator is not ideal, and samples.
     """
     ports, fields = result.scenario.ports, [name for name, _ in result.scenario.plant.fields]
     driven = [name for name in ports if not absent(result, name)]
@@ -42,9 +43,16 @@ def default_plan(result: Result) -> tuple[FigurePlan, ...]:
         views = [("field", fields), ("port", ports), ("peaks", fields), ("delivered", driven)]
     views += [("loop", [name for name in driven if not ideal(result, name)]), ("samples", sampled_ports(result))]
     plan = [figure(view, name) for view, names in views for name in names]
+    if not (following or uncontrolled(result)):  # where there is room, what a field would be without control, on the same scale
+        plan = [*map(free_field, fields[: max(0, MOST - len(plan))]), *plan]
     if uncontrolled(result):
         plan = [one for one in plan if one.view not in COMMANDED]
     return tuple(plan[:MOST])
+
+
+def free_field(name: str) -> FigurePlan:
+    """A field without control."""
+    return FigurePlan(f"free_{name}", "field", name, f"{name}(x, t) without control", controlled=False)
 
 
 def figure(view: View, of: str) -> FigurePlan:
