@@ -185,3 +185,23 @@ def test_every_parameter_is_told_with_its_meaning(table: str, kind: str) -> None
         assert parameter.doc, f"{kind}.{parameter.name}"
     assert {p.name for p in parameters(type(one))} == {f.name for f in fields(one)}
     assert type(one).summary().endswith(".")
+
+
+WRONG = {"number": "text", "whole number": 1.5, "true/false": "yes", "string": 7}
+
+
+@pytest.mark.parametrize(("table", "kind"), CASES, ids=lambda value: str(value))
+def test_every_parameter_refuses_the_wrong_type_and_range_in_one_line(table: str, kind: str) -> None:
+    one = EXAMPLES[table][kind]
+    for parameter in parameters(type(one)):
+        wrong = [WRONG[parameter.type]] if parameter.type in WRONG else [object()]
+        wrong += [float("nan")] if parameter.type == "number" else []
+        for sign in (">= ", "> "):
+            if parameter.type in ("number", "whole number") and sign in parameter.range:
+                low = float(parameter.range.split(sign)[1].split()[0])
+                wrong.append(type(one.__dict__[parameter.name] or 1.0)(low - 1))
+        for value in wrong:
+            with pytest.raises(dampen.ArgumentError) as error:
+                replace(one, **{parameter.name: value})
+            assert len(error.value.lines) == 1, parameter.name
+            assert error.value.lines[0].startswith(f"Argument `{parameter.name}` must "), error.value.lines[0]

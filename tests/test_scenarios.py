@@ -227,6 +227,13 @@ def test_list_and_show_come_from_the_code(tmp_path: Path) -> None:
     listed = dampen_command("list", cwd=tmp_path).stdout
     for word in ("he2017", "timoshenko", "backlash", "dual-loop-ailc", "alpha_9", "kg/m", "initial.w_rate", "trial_duration"):
         assert word in listed
+    one = dampen_command("list", "backlash", cwd=tmp_path).stdout
+    assert one.startswith('[actuator] kind = "backlash"')
+    assert len(one.splitlines()) == 4
+    unknown = dampen_command("list", "backlsh", cwd=tmp_path)
+    assert (unknown.returncode, "did you mean `backlash`?" in unknown.stderr) == (2, True)
+    for command in ("run", "list"):
+        assert all(name in dampen_command(command, "--help", cwd=tmp_path).stdout for name in ("flexible-arm", "lag", "lqg"))
     shown = dampen_command("show", "he2017", cwd=tmp_path).stdout
     assert build(parse(shown, "shown")) == scenario()
     assert dampen_command("--version", cwd=tmp_path).stdout.strip() == f"dampen {dampen.version()}"

@@ -8,10 +8,11 @@ import sys
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated
+from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 from rich.console import Console
+from typer.core import TyperCommand
 
 from dampen.component import ArgumentError
 
@@ -34,6 +35,25 @@ app = typer.Typer(
 )
 out, err = Console(soft_wrap=True, highlight=False), Console(stderr=True, soft_wrap=True, highlight=False)
 
+
+class WithListing(TyperCommand):
+    """A command whose help ends with every kind and its parameters."""
+
+    def format_epilog(self, ctx: Any, formatter: Any) -> None:
+        from dampen.listing import listing
+
+        formatter.write(f"\n{listing()}\n")
+
+
+class WithOverview(TyperCommand):
+    """A command whose help ends with the names of all kinds."""
+
+    def format_epilog(self, ctx: Any, formatter: Any) -> None:
+        from dampen.listing import overview
+
+        formatter.write(f"\n{overview()}\n")
+
+
 ScenarioArgument = Annotated[str, typer.Argument(help="a shipped scenario (see `dampen list`) or the path of a TOML file")]
 
 
@@ -48,11 +68,12 @@ def version(show: Annotated[bool, typer.Option("--version", help="Show the versi
 
 
 @app.command(
+    cls=WithOverview,
     help="Run a scenario with and without control; write results, figures and a report.\n\n"
     "Examples:\n\n  dampen run he2017\n\n  dampen run he2017 --set controller.alpha_8=0.5 --set task.trials=50\n\n"
     "  dampen run he2017 --set controller.compensate=false --out direct\n\n"
     "Exit status: 0 when the run completed, whatever the claims say; 2 for bad input; 3 when the run broke off, with what it "
-    "has saved."
+    "has saved.",
 )
 def run(
     scenario: ScenarioArgument,
@@ -92,12 +113,14 @@ def run(
         raise typer.Exit(BROKE_OFF)
 
 
-@app.command("list", help="List the shipped scenarios, and every kind with its parameters, units and defaults.")
-def list_() -> None:
+@app.command("list", cls=WithListing, help="List the shipped scenarios, and every kind with its parameters, units and defaults.")
+def list_(
+    kind: Annotated[str | None, typer.Argument(help="a kind, such as backlash, or a table, such as plant; left out: all")] = None,
+) -> None:
     """`dampen list`."""
     from dampen.listing import listing
 
-    out.print(listing(), markup=False)
+    out.print(listing(kind), markup=False)
 
 
 @app.command(help="Print a scenario file, to copy: `dampen show he2017 > mine.toml`.")

@@ -1,27 +1,49 @@
-"""What `dampen list` prints: shipped scenarios, and every kind with its parameters, straight from the code."""
+"""What `dampen list` and `--help` print: shipped scenarios, and every kind with its parameters, straight from the code."""
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import fields
 from typing import get_type_hints
 
-from dampen.component import Component, parameters, split_hint
+from dampen.component import ArgumentError, Component, Parameter, parameters, split_hint, suggestion
 from dampen.scenarios.kinds import KINDS
-from dampen.scenarios.read import TABLES, parse, shipped
+from dampen.scenarios.read import TABLES, shipped, table_of
 from dampen.toml import literal
 
 
-def listing() -> str:
-    """The whole list as text."""
-    lines = ["Scenarios (dampen run NAME, dampen show NAME)"]
-    for name, path in shipped().items():
-        lines.append(f"  {name:<14} {parse(path.read_text(encoding='utf-8'), name).get('title', '')}")
+def listing(kind: str | None = None) -> str:
+    """The whole list as text; or what there is under one name: a kind, or a table of kinds.
+
+    Raises ArgumentError for a name that is none of these.
+    """
+    entries = [entry for entry in _entries() if kind is None or kind in entry[:2]]
+    if not entries:
+        known = sorted({name for table, own, _ in _entries() for name in (table, own) if name})
+        raise ArgumentError(f"Argument `kind` must be a kind or a table, but is {kind!r}{suggestion(str(kind), known)}")
+    lines = [] if kind else ["Scenarios (dampen run NAME, dampen show NAME)", *_scenarios()]
+    for table, own, cls in entries:
+        name = f'[{table}] kind = "{own}"' if own else f"[{table}]"
+        lines += ["", f"{name}    {cls.summary()}", *_rows(cls)]
+    return "\n".join(lines).lstrip("\n")
+
+
+def overview() -> str:
+    """Every kind by its name, a line for each table."""
+    lines = ["Kinds (dampen list KIND shows parameters, units and defaults):"]
+    return "\n".join([*lines, *(f"  {table:<14}{', '.join(cls.kind for cls in classes)}" for table, classes in KINDS.items())])
+
+
+def _entries() -> Iterator[tuple[str, str, type[Component]]]:
+    """(table, kind, class) of everything that a scenario file can hold."""
     for table, classes in KINDS.items():
-        for cls in classes:
-            lines += ["", f'[{table}] kind = "{cls.kind}"    {cls.summary()}', *_rows(cls)]
-    for table, cls in TABLES.items():
-        lines += ["", f"[{table}]    {cls.summary()}", *_rows(cls)]
-    return "\n".join(lines)
+        yield from ((table, cls.kind, cls) for cls in classes)
+    yield from ((table, "", cls) for table, cls in TABLES.items())
+
+
+def _scenarios() -> list[str]:
+    width = max(map(len, shipped())) + 2
+    return [f"  {name:<{width}}{table_of(name).get('title', '')}" for name in shipped()]
 
 
 def _rows(cls: type[Component], prefix: str = "") -> list[str]:
@@ -30,8 +52,16 @@ def _rows(cls: type[Component], prefix: str = "") -> list[str]:
     for p in parameters(cls):
         if isinstance(inner[p.name], type) and issubclass(inner[p.name], Component):
             rows += _rows(inner[p.name], f"{prefix}{p.name}.")
-            continue
-        default = "" if p.default in (None, {}) else literal(p.default)
-        about = ", ".join(part for part in (p.range, p.doc) if part)
-        rows.append(f"  {prefix + p.name:<24} {default:<20} {p.unit:<10} {about}".rstrip())
+        else:
+            rows.append(f"  {prefix + p.name:<24} {_default(p):<20} {p.unit:<10} {_about(p)}".rstrip())
     return rows
+
+
+def _default(p: Parameter) -> str:
+    return "(required)" if p.required else "" if p.default in (None, {}) else literal(p.default)
+
+
+def _about(p: Parameter) -> str:
+    """Type where it is not a plain number, range, meaning."""
+    kind = "" if p.type == "number" else p.type
+    return ", ".join(part for part in (kind, p.range, p.doc) if part)
