@@ -192,3 +192,28 @@ def test_a_q_filter_keeps_what_is_slow_and_drops_what_is_fast() -> None:
     np.testing.assert_allclose(kept[:, 0], slow[200:-200], atol=2e-3)
     assert np.abs(kept[:, 1]).max() < 0.01
     assert low_pass(slow, None, 0.001) is slow
+
+
+def test_lqg_brings_the_port_that_is_asked_to_its_reference_when_another_has_no_actuator() -> None:
+    """A rest position is the plant's, not the sample period's; a port without actuator, weight and reference is left free."""
+    beam = dampen.EulerBernoulliBeam(tip_mass=0.1, mass_per_length=0.5, bending_stiffness=4.0, damping=dampen.Damping(ratio=0.05))
+    law = dampen.LQG(modes=6, error_weight={"tip_w": 1e4}, effort_weight=1e-3)
+    task = dampen.Task(trials=1, trial_duration=6.0, reference={"tip_w": dampen.MinimumJerk(target=0.05, duration=0.6)})
+    calm, no_motor = dampen.NoDisturbance(), {"tip_phi": (dampen.Absent(),)}
+    for period in (0.002, 0.004):
+        numerics = dampen.Numerics(modes=6, step=STEP, mode="sampled")
+        result = dampen.simulate(
+            case(law, period, plant=beam, task=task, disturbance=calm, actuators=no_motor, numerics=numerics)
+        )
+        np.testing.assert_allclose(result["y"][0][-1, 0], 0.05, rtol=1e-6)
+        assert result.warnings == []
+
+
+def test_lqg_warns_where_the_modes_it_leaves_out_grow_and_a_blown_up_run_has_diverged() -> None:
+    beam = dampen.EulerBernoulliBeam(tip_mass=0.1, mass_per_length=0.5, bending_stiffness=4.0, damping=dampen.Damping(ratio=0.05))
+    law = dampen.LQG(modes=4, error_weight={"tip_w": 1e4}, effort_weight=1e-3)
+    task = dampen.Task(trials=1, trial_duration=6.0, reference={"tip_w": dampen.MinimumJerk(target=0.05, duration=0.6)})
+    numerics = dampen.Numerics(modes=6, step=0.001, mode="sampled")
+    result = dampen.simulate(case(law, 0.001, plant=beam, task=task, disturbance=dampen.NoDisturbance(), numerics=numerics))
+    assert result.status == "diverged"
+    assert any("spillover" in line for line in result.warnings)

@@ -62,7 +62,7 @@ MISTAKES = {
         "plant",
         "class Mine(dampen.Plant):\n    ports = (dampen.Port('second', '', 1.0),)\n    def modes(self, count):\n"
         "        return dampen.Modes(omega=np.ones(2), b=np.ones(2), ports=self.ports)\n",
-        r"mistake_shape:Mine.modes must give finite `b` of shape \(1, 2\), but gives \(2,\)",
+        r"mistake_shape:Mine.modes must give `b` of shape \(1, 2\), but gives \(2,\)",
     ),
     "learn": (
         "controller",
@@ -82,7 +82,7 @@ MISTAKES = {
         "controller",
         "class Mine(dampen.Controller):\n    def law(self, memory, setting):\n"
         "        return dampen.PortLaw(np.zeros((setting.steps, 1)), damping=np.array([-1.0]))\n",
-        "The controller's `damping` must be >= 0, but its least value is -1",
+        "mistake_negative:Mine.law must give `damping` >= 0, but the least is -1",
     ),
     "step": (
         "actuator.second.chain.0",
@@ -93,6 +93,21 @@ MISTAKES = {
         "actuator.second.chain.0",
         "def step(command, state, parameters, new_state):\n    return sorted([command, {}.get(1, 0.0)])[0]\n" + STAGE,
         r"mistake_compile:Mine.step cannot be compiled: .*mistake_compile.py, line [56]\)",
+    ),
+    "forgotten": (
+        "controller",
+        "class Mine(dampen.Controller):\n    def law(self, memory, setting):\n        pass\n",
+        "mistake_forgotten:Mine.law must return a PortLaw, but returns NoneType",
+    ),
+    "falling": (
+        "actuator.second.chain.0",
+        "def step(command, state, parameters, new_state):\n    return -command\n" + STAGE,
+        "mistake_falling:Mine.step must not fall as its command rises",
+    ),
+    "not a number": (
+        "actuator.second.chain.0",
+        "def step(command, state, parameters, new_state):\n    return command * float('nan')\n" + STAGE,
+        "mistake_not_a_number:Mine.step must give finite numbers, but gives nan",
     ),
     "abstract": (
         "plant",
@@ -106,6 +121,7 @@ MISTAKES = {
 @pytest.mark.parametrize("mistake", list(MISTAKES))
 def test_a_mistake_is_reported_with_its_class_and_line(mistake: str, tmp_path: Path) -> None:
     key, body, words = MISTAKES[mistake]
+    mistake = mistake.replace(" ", "_")
     head = "import dampen\nimport numpy as np\nfrom dataclasses import dataclass\n\n"
     code = head + (body if body.startswith("def") else f"@dataclass(frozen=True)\n{body}")
     (tmp_path / f"mistake_{mistake}.py").write_text(code)

@@ -159,7 +159,7 @@ def test_a_law_that_pushes_the_wrong_way_is_refused() -> None:
             nothing = np.zeros((setting.steps, 2))
             return dampen.PortLaw(nothing, nothing - 1.0, np.zeros(2), np.zeros(2))
 
-    with pytest.raises(dampen.ArgumentError, match="`coulomb` must be >= 0"):
+    with pytest.raises(dampen.ArgumentError, match="give `coulomb` >= 0"):
         dampen.simulate(scenario("task.trials=1").with_controller(Backwards()))
 
 

@@ -151,6 +151,15 @@ def test_bad_input_gets_one_clear_line(setting: str) -> None:
     assert BAD[setting] in error.value.lines[0]
 
 
+def test_a_barrier_at_one_port_needs_a_constraint_there_alone() -> None:
+    law = dampen.BoundaryDamping(damping={"tip_w": 1.0}, barrier="log", barrier_gain={"tip_w": 0.1})
+    case = replace(task(), controller=law)
+    alone, other = (replace(case.task, constraint={port: 0.2}) for port in ("tip_w", "tip_phi"))
+    assert dampen.simulate(replace(case, task=alone)).status == "complete"
+    with pytest.raises(dampen.ArgumentError, match=r"`task.constraint.tip_w` must be given"):
+        replace(case, task=other)
+
+
 def test_what_acts_through_samples_alone_says_so() -> None:
     with pytest.raises(dampen.ArgumentError, match=r'`numerics.mode` must be "sampled": LQG acts through samples'):
         scenario("controller.kind=lqg")

@@ -162,6 +162,8 @@ def make_folder(folder: Path | None, name: str) -> Path:
     if folder is None:
         candidates = (Path("runs") / (name if number == 1 else f"{name}-{number}") for number in itertools.count(1))
         folder = next(path for path in candidates if not path.exists())
+    if (folder / "scenario.toml").exists() and not (folder / "result.nc").exists():
+        raise ArgumentError(f"Output folder `{folder}` must be another one: it holds a scenario.toml that no run has left there.")
     try:
         folder.mkdir(parents=True, exist_ok=True)
         for old in ("report.html", "continuous.nc", "uncontrolled.nc", "result.nc", "scenario.toml"):

@@ -208,17 +208,22 @@ def _type_name(base: Any) -> str:
     if get_origin(base) is Callable:
         return "function"
     if get_origin(base) is tuple:
-        return f"list of {_type_name(get_args(base)[0])}s"
+        return f"list of {_plural(get_args(base)[0])}"
     if get_origin(base) is dict:
-        return f"table of {_type_name(get_args(base)[1])}s"
+        return f"table of {_plural(get_args(base)[1])}"
     if get_origin(base) is Annotated:
-        return _type_name(get_args(base)[0])
+        return next((extra for extra in get_args(base)[1:] if isinstance(extra, str)), _type_name(get_args(base)[0]))
     if get_origin(base) is Callable:
         return "function"
     options = [a for a in get_args(base) if a is not type(None)]
     if options and all(isinstance(o, str) for o in options):
         return " | ".join(f'"{o}"' for o in options)
     return " or ".join(map(_type_name, options)) if options else getattr(base, "__name__", str(base))
+
+
+def _plural(base: Any) -> str:
+    name = _type_name(base)
+    return name.replace("list of", "lists of", 1) if name.startswith("list of") else f"{name}s"
 
 
 def _plain(value: Any) -> Any:
@@ -256,7 +261,9 @@ def _line(parameter: Parameter, inner: Sequence[Any], error: Any, value: object)
         must = f"be {bound[0]} {error['ctx'][bound[1]]:g}{unit}"
     elif kind == "literal_error":
         must = f"be {error['ctx']['expected']}"
-    elif " or " in parameter.type or (kind == "is_instance_of" and not inner):
+    elif kind == "is_instance_of" and inner:
+        must = f"be a {error['ctx']['class']}"
+    elif " or " in parameter.type or kind == "is_instance_of":
         must = f"be a {parameter.type}"
     else:
         must = f"be {_TYPES.get(kind, error['msg'])}{f' in{unit}' if unit else ''}"

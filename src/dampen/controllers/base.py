@@ -60,6 +60,11 @@ class Setting:
         return np.array([force if port.kind == "force" else torque for port in self.ports])
 
 
+def named(**tables: Mapping[str, Any]) -> Mapping[str, str]:
+    """What `ports_named` says of parameters that are tables with ports as keys."""
+    return {f"{table}.{port}": port for table, given in tables.items() for port in given}
+
+
 def _unknown() -> Any:
     raise RuntimeError("This setting has no model.")
 
@@ -81,7 +86,8 @@ class PortLaw:
     barrier: Array = None  # type: ignore[assignment]  # zeros from then on
 
     def __post_init__(self) -> None:
-        steps, ports = np.shape(self.feedforward)
+        shape = np.shape(self.feedforward)
+        steps, ports = shape if len(shape) == 2 else (0, 0)  # a wrong shape is told where the law is used
         for name in ("coulomb", "damping", "stiffness", "barrier"):
             if getattr(self, name) is None:
                 object.__setattr__(self, name, np.zeros((steps, ports) if name == "coulomb" else ports))
@@ -106,15 +112,22 @@ class Controller(Component):
         """The barrier that the law relies on, and for which the tip must start inside the constraint."""
         return "none"
 
+    def has_barrier(self, port: Port) -> bool:
+        """Whether that barrier acts at a port."""
+        return self.barrier_shape != "none"
+
     @property
     def needs_bounds(self) -> tuple[str, ...]:
         """Which of the stated bounds the law relies on: "f" for the load, "ports" for the ports."""
         return ()
 
-    @property
-    def ports_named(self) -> tuple[str, ...]:
-        """The ports that its parameters name."""
-        return ()
+    def ports_named(self) -> Mapping[str, str]:
+        """The ports that its parameters name: "stiffness.tip_w" -> "tip_w", for every table that goes by port."""
+        return {}
+
+    def notes(self, setting: Setting) -> list[str]:
+        """What the user should know before the run, one line each."""
+        return []
 
     def compensation(self, port: Port) -> tuple[Stage, ...]:
         """Stages between the law's value and the actuator's input: the controller's own idea of the actuator."""

@@ -2,14 +2,16 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import Annotated, ClassVar, Literal
 
 from annotated_types import Ge
 from typing_extensions import Doc
 
-from dampen.controllers.base import Controller, Memory, PortLaw, Setting
+from dampen.controllers.base import Controller, Memory, PortLaw, Setting, named
 from dampen.controllers.feedforward import feedforward
+from dampen.port import Port
 from dampen.signals.base import Signal
 
 
@@ -37,9 +39,11 @@ class BoundaryDamping(Controller):
     def barrier_shape(self) -> Literal["log", "tan", "none"]:
         return self.barrier
 
-    @property
-    def ports_named(self) -> tuple[str, ...]:
-        return (*self.damping, *self.stiffness, *self.feedforward, *self.barrier_gain)
+    def ports_named(self) -> Mapping[str, str]:
+        return named(damping=self.damping, stiffness=self.stiffness, feedforward=self.feedforward, barrier_gain=self.barrier_gain)
+
+    def has_barrier(self, port: Port) -> bool:
+        return self.barrier != "none" and self.barrier_gain.get(port.name, 0.0) > 0
 
     def law(self, memory: Memory, setting: Setting) -> PortLaw:
         return PortLaw(

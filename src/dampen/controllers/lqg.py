@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import Annotated, ClassVar, NamedTuple
 
@@ -10,8 +11,10 @@ from annotated_types import Ge, Gt, Unit
 from typing_extensions import Doc
 
 from dampen.component import ArgumentError
-from dampen.controllers.base import Array, SampledFeedback, SampledStep, Setting
+from dampen.controllers.base import Array, SampledFeedback, SampledStep, Setting, named
 from dampen.modal import ModalModel, propagator
+
+UNASKED = 1e-12  # weight at rest of a port that nobody asked to be anywhere
 
 
 def lqg_step(sample, state, parameters, command):  # type: ignore[no-untyped-def]
@@ -79,9 +82,8 @@ class LQG(SampledFeedback):
     force_noise: Annotated[float, Gt(0), Doc("assumed standard deviation of the disturbing forces [N, N m]")] = 0.1
     sensor_noise: Annotated[float, Gt(0), Doc("assumed standard deviation of the readings [m, rad]")] = 1e-4
 
-    @property
-    def ports_named(self) -> tuple[str, ...]:
-        return tuple(self.error_weight)
+    def ports_named(self) -> Mapping[str, str]:
+        return named(error_weight=self.error_weight)
 
     def row(self, setting: Setting) -> Array:
         d = self.design(setting)
@@ -110,8 +112,31 @@ class LQG(SampledFeedback):
             raise ArgumentError(f"Argument `controller` has weights for which there is no LQG design: {error}.") from None
         hold = np.linalg.solve(effort + b.T @ cost @ b, b.T @ cost @ a)
         correct = np.linalg.solve(c @ spread @ c.T + self.sensor_noise**2 * np.eye(ports), c @ spread).T
-        rest, feed = at_rest(a, b, c)
+        rest, feed = at_rest(a, b, c, self._wanted(setting))
         return Design(a, b, c, hold, correct, feed + hold @ rest)
+
+    def _wanted(self, setting: Setting) -> Array:
+        """(ports,) weight of being where it should be at rest: next to none for a port without weight and reference."""
+        weight = setting.by_port(self.error_weight)
+        asked = np.any(setting.reference != 0, axis=0) | (weight > 0)
+        given = np.where(weight > 0, weight / max(weight.max(), 1e-300), 1.0)
+        return np.where(asked, given, UNASKED)
+
+    def notes(self, setting: Setting) -> list[str]:
+        """A warning where the modes that the design leaves out, or the rest of the loop, would grow."""
+        a, b, c = sampled_model(setting.model(), setting)
+        d = self.design(setting)
+        predict = d.a - d.b @ d.hold
+        corrected = np.eye(len(d.a)) - d.correct @ d.c
+        feed = -d.hold @ d.correct @ c
+        loop = np.block([[a + b @ feed, -b @ d.hold @ corrected], [predict @ d.correct @ c, predict @ corrected]])
+        radius = float(np.abs(np.linalg.eigvals(loop)).max())
+        if radius <= 1 + 1e-9:
+            return []
+        return [
+            f"The LQG loop around all {setting.model().count} modes grows by {np.log(radius) / setting.dt:.3g} 1/s (spillover): "
+            f"the {min(self.modes, setting.model().count)} modes of its model are too few, or its weights too bold."
+        ]
 
     def lowest(self, model: ModalModel) -> ModalModel:
         """The modes that the controller knows of."""
@@ -161,9 +186,15 @@ def transition(model: ModalModel, seconds: float) -> tuple[Array, Array]:
     return a, np.vstack([(p.psi * model.b).T, (p.c12 * model.b).T])
 
 
-def at_rest(a: Array, b: Array, c: Array) -> tuple[Array, Array]:
-    """State and command, per unit of reference, in which the model stays with y = reference."""
-    n, ports = b.shape
-    matrix = np.block([[a - np.eye(n), b], [c, np.zeros((ports, ports))]])
-    solution = np.linalg.lstsq(matrix, np.vstack([np.zeros((n, ports)), np.eye(ports)]), rcond=None)[0]
+def at_rest(a: Array, b: Array, c: Array, weight: Array) -> tuple[Array, Array]:
+    """State and command, per unit of reference, in which the model stays, as near to y = reference as it can be held.
+
+    All that stays is spanned by the null space of [A - I, B]; of that the least squares of sqrt(weight) (y - reference).
+    """
+    from scipy.linalg import null_space
+
+    n, _ = b.shape
+    stays = null_space(np.hstack([a - np.eye(n), b]))
+    root = np.sqrt(weight)[:, None]
+    solution = stays @ np.linalg.lstsq(root * (c @ stays[:n]), np.diag(root[:, 0]), rcond=1e-12)[0]
     return solution[:n], solution[n:]

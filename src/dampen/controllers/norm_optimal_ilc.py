@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 from typing import Annotated, ClassVar
 
@@ -11,7 +11,7 @@ from annotated_types import Ge
 from typing_extensions import Doc
 
 from dampen.component import wrong
-from dampen.controllers.base import Array, Controller, Memory, PortLaw, Setting, Trial
+from dampen.controllers.base import Array, Controller, Memory, PortLaw, Setting, Trial, named
 
 TOLERANCE, ITERATIONS = 1e-13, 5000
 
@@ -46,9 +46,8 @@ class NormOptimalILC(Controller):
         if self.effort_weight + self.change_weight == 0:
             raise wrong("change_weight", "be > 0 where `effort_weight` is 0", self.change_weight)
 
-    @property
-    def ports_named(self) -> tuple[str, ...]:
-        return (*self.error_weight, *self.damping, *self.stiffness)
+    def ports_named(self) -> Mapping[str, str]:
+        return named(error_weight=self.error_weight, damping=self.damping, stiffness=self.stiffness)
 
     def begin(self, setting: Setting) -> Memory:
         return {"learned": np.zeros((setting.steps, len(setting.ports)))}

@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import Annotated, ClassVar
 
 from typing_extensions import Doc
 
-from dampen.controllers.base import Controller, Memory, PortLaw, Setting
+from dampen.controllers.base import Controller, Memory, PortLaw, Setting, named
 from dampen.controllers.feedforward import feedforward
 from dampen.signals.base import Signal
 
@@ -22,9 +23,8 @@ class OpenLoop(Controller):
         default_factory=dict
     )
 
-    @property
-    def ports_named(self) -> tuple[str, ...]:
-        return tuple(self.command)
+    def ports_named(self) -> Mapping[str, str]:
+        return named(command=self.command)
 
     def law(self, memory: Memory, setting: Setting) -> PortLaw:
         return PortLaw(feedforward(self.command, setting))

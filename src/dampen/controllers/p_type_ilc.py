@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import Annotated, ClassVar
 
@@ -9,7 +10,7 @@ import numpy as np
 from annotated_types import Ge, Gt, Lt, Unit
 from typing_extensions import Doc
 
-from dampen.controllers.base import Array, Controller, Memory, PortLaw, Setting, Trial
+from dampen.controllers.base import Array, Controller, Memory, PortLaw, Setting, Trial, named
 
 
 @dataclass(frozen=True)
@@ -37,9 +38,8 @@ class PTypeILC(Controller):
         default_factory=dict
     )
 
-    @property
-    def ports_named(self) -> tuple[str, ...]:
-        return (*self.learning, *self.damping, *self.stiffness)
+    def ports_named(self) -> Mapping[str, str]:
+        return named(learning=self.learning, damping=self.damping, stiffness=self.stiffness)
 
     def begin(self, setting: Setting) -> Memory:
         return {"learned": np.zeros((setting.steps, len(setting.ports)))}
@@ -74,9 +74,8 @@ class PDTypeILC(PTypeILC):
         default_factory=dict
     )
 
-    @property
-    def ports_named(self) -> tuple[str, ...]:
-        return (*super().ports_named, *self.rate_learning)
+    def ports_named(self) -> Mapping[str, str]:
+        return {**super().ports_named(), **named(rate_learning=self.rate_learning)}
 
     def correction(self, trial: Trial, setting: Setting) -> Array:
         shift = round(self.lead / setting.dt)

@@ -25,8 +25,8 @@ def slope(coefficients: Coefficients) -> Coefficients:
 class Deflection(Component):
     """Shape and rate of w at the start of trial 0, as polynomials c0 + c1 x + c2 x^2 + ... in x."""
 
-    w: Annotated[Coefficients, Unit("m"), Doc("deflection w(x, 0)")] = ()
-    w_rate: Annotated[Coefficients, Unit("m/s"), Doc("deflection rate w_t(x, 0)")] = ()
+    w: Annotated[Coefficients, Unit("m"), Doc("deflection w(x, 0), as coefficients of c0 + c1 x + ...")] = ()
+    w_rate: Annotated[Coefficients, Unit("m/s"), Doc("rate w_t(x, 0), as coefficients")] = ()
 
     def check(self) -> None:
         if self.w and self.w[0] != 0:

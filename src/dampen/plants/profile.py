@@ -14,7 +14,7 @@ from dampen.plants.base import constant, polynomial
 
 Array = np.ndarray
 Function = Callable[[Array], Array]
-Profile: TypeAlias = float | Annotated[tuple[float, ...], "coefficients c0, c1, ... of c0 + c1 x + ..."] | str | Function
+Profile: TypeAlias = float | Annotated[tuple[float, ...], "coefficients of c0 + c1 x + ..."] | str | Function
 SAMPLES = 401
 
 

@@ -21,10 +21,10 @@ from dampen.port import Port
 class BeamState(Component):
     """Shapes and rates of a beam at the start of trial 0, as polynomials c0 + c1 x + c2 x^2 + ... in x."""
 
-    w: Annotated[tuple[float, ...], Unit("m"), Doc("deflection w(x, 0)")] = ()
-    phi: Annotated[tuple[float, ...], Unit("rad"), Doc("section rotation phi(x, 0)")] = ()
-    w_rate: Annotated[tuple[float, ...], Unit("m/s"), Doc("deflection rate w_t(x, 0)")] = ()
-    phi_rate: Annotated[tuple[float, ...], Unit("rad/s"), Doc("rotation rate phi_t(x, 0)")] = ()
+    w: Annotated[tuple[float, ...], Unit("m"), Doc("deflection w(x, 0), as coefficients of c0 + c1 x + ...")] = ()
+    phi: Annotated[tuple[float, ...], Unit("rad"), Doc("rotation phi(x, 0), as coefficients")] = ()
+    w_rate: Annotated[tuple[float, ...], Unit("m/s"), Doc("rate w_t(x, 0), as coefficients")] = ()
+    phi_rate: Annotated[tuple[float, ...], Unit("rad/s"), Doc("rate phi_t(x, 0), as coefficients")] = ()
 
     def check(self) -> None:
         for name in ("w", "phi"):

@@ -22,4 +22,4 @@ def load(path: str | Path) -> Result:
             text = file.getncattr("scenario")
     except (OSError, AttributeError) as error:
         raise ArgumentError(f"Result file `{path}` is not a dampen result: {error}.") from None
-    return open_result(path, build(parse(text, str(path))))
+    return open_result(path, build(parse(text, str(path)), path.parent))

@@ -21,6 +21,7 @@ Array = np.ndarray
 STAGE_PARAMETERS = 32
 STAGE_STATES = 16
 MODES_AT_MOST = 1000
+ABSURD = 1e30  # J: beyond it a motion has diverged, whatever is being moved
 DAMPED = False  # bound before use: whether any mode is damped
 SAMPLED = False  # and whether a law may act through samples
 _ROW = (float, MODES_AT_MOST + 32)
@@ -136,7 +137,7 @@ def run_trial(modal, step, inputs, sampler, ports, stages, every, record):
             snapshot, wait = snapshot + 1, every
             for i in range(m.count):
                 record.q[snapshot, i] = m.q[i]
-        if not record.energy[k + 1] < np.inf:
+        if not record.energy[k + 1] < ABSURD:
             return k
     if SAMPLED and sampler.period > 0:
         measure(len(sampler.error) - 1, ports, sampler)

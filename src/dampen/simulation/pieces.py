@@ -18,6 +18,7 @@ from dampen.simulation.digital import Sample
 from dampen.stage import Stage
 
 Array = np.ndarray
+TRIED = np.linspace(-10.0, 10.0, 41)
 PLACE = re.compile(r'File "(?P<file>[^"]+)", line (?P<line>\d+)')
 
 
@@ -42,8 +43,10 @@ def modes_of(plant: Plant, count: int, grid: int | None) -> Modes:
     wanted = {"omega": (n,), "decay": (n,), "b": (ports, n)}
     for name, shape in wanted.items():
         value = np.asarray(getattr(modes, name))
-        if value.shape != shape or value.dtype.kind not in "fiu" or not np.all(np.isfinite(value)):
-            raise ArgumentError(f"{name_of(plant)}.modes must give finite `{name}` of shape {shape}, but gives {value.shape}.")
+        if value.shape != shape or value.dtype.kind not in "fiu":
+            raise ArgumentError(f"{name_of(plant)}.modes must give `{name}` of shape {shape}, but gives {value.shape}.")
+        if not np.all(np.isfinite(value)):
+            raise ArgumentError(f"{name_of(plant)}.modes must give a finite `{name}`, but does not.")
     for name, sign in (("omega", modes.omega), ("decay", modes.decay)):
         if np.any(sign < 0):
             raise ArgumentError(f"{name_of(plant)}.modes must give `{name}` >= 0, but the least is {np.min(sign):g}.")
@@ -61,8 +64,11 @@ def check_stages(stages: tuple[Stage, ...], dt: float) -> None:
             row = np.array(stage.row(dt), float)
         state = np.array(stage.start() or (0.0,), float)
         with blame(stage, "step"):
-            output = type(stage).step(0.0, state.copy(), row, state.copy())
-            float(output)
+            outputs = np.array([float(type(stage).step(u, state.copy(), row, state.copy())) for u in TRIED])
+        if not np.all(np.isfinite(outputs)):
+            raise ArgumentError(f"{name_of(stage)}.step must give finite numbers, but gives {outputs[~np.isfinite(outputs)][0]}.")
+        if stage.monotone and np.any(np.diff(outputs) < -1e-12 * np.abs(outputs).max()):
+            raise ArgumentError(f"{name_of(stage)}.step must not fall as its command rises; if it may, let `monotone` be False.")
         compile_alone(type(stage), type(stage).step, (0.0, state, row, state.copy()))
 
 
@@ -82,6 +88,11 @@ def check_sampled(controller: Controller, setting: Setting) -> None:
 
 def check_memory(controller: Controller, before: Mapping[str, Array], after: Mapping[str, Array]) -> None:
     """What a law has learned must have the shape of what it began with."""
+    for name, memory in (("begin", before), ("learn", after)):
+        if not isinstance(memory, Mapping):
+            raise ArgumentError(
+                f"{name_of(controller)}.{name} must return a dict of arrays, but returns {type(memory).__name__}."
+            )
     if own(type(controller)) and {k: np.shape(v) for k, v in before.items()} != {k: np.shape(v) for k, v in after.items()}:
         shapes = ({name: np.shape(value) for name, value in memory.items()} for memory in (before, after))
         raise ArgumentError("{}.learn must keep the memories {}, but returns {}.".format(name_of(controller), *shapes))

@@ -84,9 +84,8 @@ class Scenario(Component):
             "task.constraint": self.task.constraint,
             "task.reference": self.task.reference,
             "task.reset_error": self.task.reset_error,
-            "actuators": self.actuators,
+            "actuator": self.actuators,
             "compensation": self.compensation,
-            "controller": self.controller.ports_named,
             **{f"sampling.{name}": table for name, table in self.sampling.by_port.items()},
         }
         for table, keys in (*named.items(), ("bounds", self.bounds)):
@@ -96,10 +95,11 @@ class Scenario(Component):
                     raise ArgumentError(f"Argument `{table}.{key}` is not a port of this plant; known here: {', '.join(known)}.")
 
     def _check_disturbance(self) -> None:
-        for argument, port in self.disturbance.ports_named().items():
-            if port not in self.ports:
-                known = ", ".join(self.ports)
-                raise ArgumentError(f"Argument `disturbance.{argument}` is not a port of this plant; known here: {known}.")
+        for name, one in (("disturbance", self.disturbance), ("controller", self.controller)):
+            for argument, port in one.ports_named().items():
+                if port not in self.ports:
+                    known = ", ".join(self.ports)
+                    raise ArgumentError(f"Argument `{name}.{argument}` is not a port of this plant; known here: {known}.")
         fields = [name for name, _ in self.plant.fields]
         loaded = [name for part in self.disturbance.parts for name in (part.load_field, part.point_field) if name is not None]
         for name in loaded:
@@ -138,12 +138,13 @@ class Scenario(Component):
                 raise ArgumentError(f"Argument `bounds.{key}` must be given: the controller relies on it.")
         if self.controller.barrier_shape == "none":
             return
-        for port in self.ports:
-            if port not in self.task.constraint:
+        behind = [self.controller.has_barrier(port) for port in self.plant.ports]
+        for port, barrier in zip(self.ports, behind, strict=True):
+            if barrier and port not in self.task.constraint:
                 raise ArgumentError(f"Argument `task.constraint.{port}` must be given: the controller has a barrier there.")
         low, high = self.task.limits(self.ports, np.zeros(1), 0)
         for p, (name, y) in enumerate(zip(self.ports, self.plant.initial_ports(), strict=True)):
-            if not low[0, p] < y < high[0, p]:
+            if behind[p] and not low[0, p] < y < high[0, p]:
                 symmetric = low[0, p] == -high[0, p]
                 where = f"|y| < {high[0, p]:g}" if symmetric else f"{low[0, p]:g} < y < {high[0, p]:g}"
                 raise wrong("plant.initial", f"put {name} inside its constraint, {where}", y)

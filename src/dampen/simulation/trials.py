@@ -11,14 +11,14 @@ from typing import Any
 import numpy as np
 
 from dampen.component import ArgumentError
-from dampen.controllers.base import PortLaw, Setting, Trial
+from dampen.controllers.base import Controller, PortLaw, Setting, Trial
 from dampen.own import blame
 from dampen.simulation.account import accounts
 from dampen.simulation.bench import Bench
 from dampen.simulation.digital import Sampler
 from dampen.simulation.digital_side import begin_again, idle, prepare, sampler_of
 from dampen.simulation.kernel import Record
-from dampen.simulation.pieces import check_memory, check_sampled
+from dampen.simulation.pieces import check_memory, check_sampled, name_of
 from dampen.simulation.records import empty_record, port_records
 from dampen.simulation.result import Layout, Result
 from dampen.simulation.scenario import Scenario
@@ -52,9 +52,11 @@ def simulate(
     """
     bench = bench or Bench(scenario)
     bench.check_start(scenario)
-    warnings = list(bench.warnings)
+    setting = setting_of(scenario, bench=bench)
+    with blame(scenario.controller, "notes"):
+        warnings = [*bench.warnings, *scenario.controller.notes(setting)]
     store = store or MemoryStore()
-    store.open(Layout.of(scenario, bench.x, setting_of(scenario, bench=bench)), warnings)
+    store.open(Layout.of(scenario, bench.x, setting), warnings)
     status, done = "complete", 0
     try:
         with interrupt_between_trials() as interrupted:
@@ -109,6 +111,7 @@ def trials(scenario: Scenario, bench: Bench, compile: bool = True) -> Iterator[d
     check_sampled(controller, setting)
     with blame(controller, "begin"):
         memory = controller.begin(setting)
+    check_memory(controller, memory, memory)
     record = empty_record(scenario.steps, len(chains), bench.modes.count, every)
     for j in range(scenario.task.trials):
         if j == 0 or scenario.task.start == "reset":
@@ -117,7 +120,7 @@ def trials(scenario: Scenario, bench: Bench, compile: bool = True) -> Iterator[d
         setting = of_trial(setting, scenario, j)
         with blame(controller, "law"):
             law = controller.law(memory, setting)
-        check_law(law, setting)
+        check_law(controller, law, setting)
         check_stages(scenario, law)
         if scenario.sampled:
             sampler = prepare(sampler, scenario, setting, law, j)
@@ -167,18 +170,20 @@ def note_trouble(scenario: Scenario, trial: int, record: dict[str, Any], warning
         )
 
 
-def check_law(law: PortLaw, setting: Setting) -> None:
+def check_law(controller: Controller, law: PortLaw, setting: Setting) -> None:
     """The closure has one solution only if nothing in the law pushes the wrong way."""
-    ports = len(setting.ports)
+    ports, whose = len(setting.ports), f"{name_of(controller)}.law"
+    if not isinstance(law, PortLaw):
+        raise ArgumentError(f"{whose} must return a PortLaw, but returns {type(law).__name__}.")
     for name in ("feedforward", "coulomb", "damping", "stiffness", "barrier"):
         value = getattr(law, name)
         shape = (setting.steps, ports) if name in ("feedforward", "coulomb") else (ports,)
         if np.shape(value) != shape:
-            raise ArgumentError(f"The controller's `{name}` must have shape {shape}, but has {np.shape(value)}.")
+            raise ArgumentError(f"{whose} must give `{name}` of shape {shape}, but gives {np.shape(value)}.")
         if not np.all(np.isfinite(value)):
-            raise ArgumentError(f"The controller's `{name}` must be finite, but is not.")
+            raise ArgumentError(f"{whose} must give a finite `{name}`, but does not.")
         if name != "feedforward" and not np.all(value >= 0):
-            raise ArgumentError(f"The controller's `{name}` must be >= 0, but its least value is {np.min(value):g}.")
+            raise ArgumentError(f"{whose} must give `{name}` >= 0, but the least is {np.min(value):g}.")
 
 
 def check_stages(scenario: Scenario, law: PortLaw) -> None:
