@@ -12,7 +12,7 @@ from matplotlib.figure import Figure
 from dampen.report.axes import BOTTOM, LEFT, legend_row, panel, sheet
 from dampen.report.joined import blocks
 from dampen.report.names import PortNames, port_names
-from dampen.report.style import DOUBLE, INK, LEARNED, MINUS, colour, percent, plain_number, quantity
+from dampen.report.style import DOUBLE, INK, LEARNED, MINUS, colour, percent, quantity
 from dampen.simulation.result import Result
 
 Pair = tuple[np.ndarray, np.ndarray]
@@ -87,7 +87,7 @@ def departure(run: Result, index: int) -> float:
 
 def _ideal(axes: Axes, run: Result, index: int, ends: np.ndarray) -> list[Any]:
     slope = gain(run, index)
-    return axes.plot(ends, slope * ends, color=IDEAL, lw=3, label=f"ideal, slope {plain_number(slope)}", zorder=1)
+    return axes.plot(ends, slope * ends, color=IDEAL, lw=3, label=f"ideal, slope {slope:.3g}", zorder=1)
 
 
 def _axes_words(axes: Axes, port: PortNames) -> None:
