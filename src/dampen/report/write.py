@@ -33,7 +33,7 @@ def write_report(
     continuous: of a sampled run, the same experiment under the continuous law, if it was run: then the page says what
               sampling costs.
     """
-    folder = Path(folder)
+    folder, baseline = Path(folder), None if baseline is result else baseline
     jobs = jobs_of(completed(plan, result) if plan else default_plan(result), result, baseline)
     if result.trials:
         other = baseline if baseline is not None and baseline.trials else None
