@@ -59,6 +59,12 @@ def wrong(name: str, must: str, value: object) -> ArgumentError:
     return ArgumentError(f"Argument `{name}` must {must}, but is {shown(value)}.")
 
 
+def check_order(lower: str, low: float, upper: str, high: float) -> None:
+    """Raise ArgumentError unless the argument `lower` is below the argument `upper`."""
+    if low >= high:
+        raise ArgumentError(f"Argument `{lower}` must be < `{upper}`, but is {low:g} where `{upper}` is {high:g}.")
+
+
 def own_name(thing: Any) -> str:
     """The name "module:name" of a class or function; only what stands at the top of a module is found again by it."""
     named = thing if hasattr(thing, "__qualname__") else type(thing)

@@ -10,7 +10,7 @@ from contextlib import contextmanager
 from pathlib import Path
 from typing import Any
 
-from dampen.component import ArgumentError, wrong
+from dampen.component import ArgumentError, own_name, wrong
 
 
 def own_object(name: str, argument: str, folder: Path | None = None) -> Any:
@@ -63,4 +63,4 @@ def blame(component: object, method: str) -> Iterator[None]:
         cls = component if isinstance(component, type) else type(component)
         if cls.__module__.startswith("dampen."):
             raise
-        raise ArgumentError(f"{cls.__module__}:{cls.__qualname__}.{method} failed: {complaint(error)}.") from error
+        raise ArgumentError(f"{own_name(cls)}.{method} failed: {complaint(error)}.") from error

@@ -7,7 +7,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from functools import lru_cache
 from pathlib import Path
-from typing import Literal
+from typing import Any, Literal
 
 import numpy as np
 
@@ -61,6 +61,14 @@ def content_of(path: str) -> bytes:
 
 def _unreadable(path: str, error: OSError) -> ArgumentError:
     return ArgumentError(f"Argument `file` names `{path}`, which cannot be read: {error.strerror or error}.")
+
+
+def pin(recorded: Any) -> None:
+    """Make the `file` of a component absolute, fill in its `sha256` where it has none, and read it then."""
+    object.__setattr__(recorded, "file", str(Path(recorded.file).resolve()))
+    if not recorded.sha256:
+        object.__setattr__(recorded, "sha256", fingerprint(recorded.file))
+        recorded.recording()
 
 
 def fingerprint(path: str) -> str:

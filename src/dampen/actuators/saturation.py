@@ -8,7 +8,7 @@ from typing import Annotated, ClassVar
 from annotated_types import Gt, Unit
 from typing_extensions import Doc
 
-from dampen.component import ArgumentError
+from dampen.component import check_order
 from dampen.stage import Array, Stage, Step
 
 
@@ -32,8 +32,7 @@ class Saturation(Stage):
     step: ClassVar[Step] = staticmethod(saturation_step)
 
     def check(self) -> None:
-        if self.low >= self.high:
-            raise ArgumentError(f"Argument `low` must be < `high`, but is {self.low:g} where `high` is {self.high:g}.")
+        check_order("low", self.low, "high", self.high)
 
     def row(self, dt: float) -> tuple[float, ...]:
         return self.slope, self.low, self.high

@@ -14,11 +14,10 @@ class EnergyAccount:
     """Energies and works over all finished trials [J].
 
     final - initial = law + actuator + disturbance + load - dissipated + resets. `control` = law + actuator is the work of the
-    delivered forces, `dissipated` what the structure's own damping takes, `resets` what putting it back
-    between trials adds. `law` is what the actuator's slope makes of the
-    law's value, `actuator` the rest (a backlash's bounded part, a saturation's loss). The law's part that goes into barrier
-    and stiffness is `barrier_final - barrier_initial`, taken from `law`; what the ports' numerical compliance stores and loses
-    is part of `control` as well.
+    delivered forces, `dissipated` what the structure's own damping takes, `resets` what putting it back between trials adds.
+    `law` is what the actuator's slope makes of the law's value, `actuator` the rest (a backlash's bounded part, a saturation's
+    loss). The law's part that goes into barrier and stiffness is `barrier_final - barrier_initial`, taken from `law`; what the
+    ports' numerical compliance stores and loses is part of `control` as well.
     """
 
     initial: float

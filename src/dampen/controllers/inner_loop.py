@@ -9,7 +9,7 @@ import numpy as np
 from annotated_types import Ge, Gt, Le, Unit
 from typing_extensions import Doc
 
-from dampen.component import ArgumentError, Component
+from dampen.component import Component, check_order
 from dampen.controllers.base import Array, Controller, Memory, PortLaw, Setting
 from dampen.port import Port
 from dampen.stage import Stage, Step
@@ -24,8 +24,7 @@ class AssumedBacklash(Component):
     left: Annotated[float, Le(0), Unit("N"), Doc("left end of the gap B_l (N m at a torque port)")] = -0.2
 
     def check(self) -> None:
-        if self.left >= self.right:
-            raise ArgumentError(f"Argument `left` must be < `right`, but is {self.left:g} where `right` is {self.right:g}.")
+        check_order("left", self.left, "right", self.right)
 
     @property
     def width(self) -> float:

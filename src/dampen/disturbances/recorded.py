@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field
-from pathlib import Path
 from typing import Annotated, ClassVar, Literal
 
 from annotated_types import Unit
@@ -14,7 +13,7 @@ from dampen.component import ArgumentError, InFile
 from dampen.disturbances.base import Array, Content, columns, in_dict
 from dampen.disturbances.clock import Clocked, Trials
 from dampen.port import Site
-from dampen.recording import Recording, fingerprint, read_recording
+from dampen.recording import Recording, pin, read_recording
 
 
 @dataclass(frozen=True)
@@ -41,10 +40,7 @@ class Recorded(Clocked):
 
     def __post_init__(self) -> None:
         super().__post_init__()
-        object.__setattr__(self, "file", str(Path(self.file).resolve()))
-        if not self.sha256:
-            object.__setattr__(self, "sha256", fingerprint(self.file))
-            self.recording()
+        pin(self)
 
     def recording(self) -> Recording:
         """The record, read once. Raises ArgumentError where file, content or columns are not what they should be."""

@@ -56,10 +56,6 @@ class EulerBernoulliBeam(Plant):
     def fields(self) -> tuple[tuple[str, str], ...]:
         return (("w", "m"), ("phi", "rad"))
 
-    @property
-    def span(self) -> float:
-        return self.length
-
     def initial_ports(self) -> tuple[float, ...]:
         return self.initial.at_ports(self.ports)
 

@@ -51,10 +51,6 @@ class String(Plant):
     def fields(self) -> tuple[tuple[str, str], ...]:
         return (("w", "m"),)
 
-    @property
-    def span(self) -> float:
-        return self.length
-
     def initial_ports(self) -> tuple[float, ...]:
         return self.initial.at_ports(self.ports)
 

@@ -71,10 +71,6 @@ class TimoshenkoBeam(Plant):
     def fields(self) -> tuple[tuple[str, str], ...]:
         return (("w", "m"), ("phi", "rad"))
 
-    @property
-    def span(self) -> float:
-        return self.length
-
     def initial_ports(self) -> tuple[float, ...]:
         tip = np.array([self.length])
         return tuple(float(polynomial(c)(tip)[0]) for c in (self.initial.w, self.initial.phi))

@@ -3,13 +3,12 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from pathlib import Path
 from typing import Annotated, ClassVar, Literal
 
 from typing_extensions import Doc
 
 from dampen.component import InFile
-from dampen.recording import Recording, fingerprint, read_recording
+from dampen.recording import Recording, pin, read_recording
 from dampen.signals.base import Array, Signal
 
 
@@ -35,10 +34,7 @@ class RecordedSignal(Signal):
 
     def __post_init__(self) -> None:
         super().__post_init__()
-        object.__setattr__(self, "file", str(Path(self.file).resolve()))
-        if not self.sha256:
-            object.__setattr__(self, "sha256", fingerprint(self.file))
-            self.recording()
+        pin(self)
 
     def recording(self) -> Recording:
         """The record, read once. Raises ArgumentError where file, content or column are not what they should be."""

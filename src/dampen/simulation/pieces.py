@@ -9,7 +9,7 @@ from typing import Any
 
 import numpy as np
 
-from dampen.component import ArgumentError
+from dampen.component import ArgumentError, own_name
 from dampen.controllers.base import Controller, SampledFeedback, Setting
 from dampen.own import blame
 from dampen.plants.base import Modes, Plant
@@ -27,31 +27,25 @@ def own(cls: type) -> bool:
     return not cls.__module__.startswith("dampen.")
 
 
-def name_of(thing: object) -> str:
-    """A class, or an object's class, as "module:Class"."""
-    cls = thing if isinstance(thing, type) else type(thing)
-    return f"{cls.__module__}:{cls.__qualname__}"
-
-
 def modes_of(plant: Plant, count: int, grid: int | None) -> Modes:
     """The plant's modes, their shapes checked."""
     with blame(plant, "modes"):
         modes = plant.modes(count) if grid is None else plant.modes(count, grid)
     if not isinstance(modes, Modes):
-        raise ArgumentError(f"{name_of(plant)}.modes must return Modes, but returns {type(modes).__name__}.")
+        raise ArgumentError(f"{own_name(plant)}.modes must return Modes, but returns {type(modes).__name__}.")
     n, ports = np.size(modes.omega), len(plant.ports)
     wanted = {"omega": (n,), "decay": (n,), "b": (ports, n)}
     for name, shape in wanted.items():
         value = np.asarray(getattr(modes, name))
         if value.shape != shape or value.dtype.kind not in "fiu":
-            raise ArgumentError(f"{name_of(plant)}.modes must give `{name}` of shape {shape}, but gives {value.shape}.")
+            raise ArgumentError(f"{own_name(plant)}.modes must give `{name}` of shape {shape}, but gives {value.shape}.")
         if not np.all(np.isfinite(value)):
-            raise ArgumentError(f"{name_of(plant)}.modes must give a finite `{name}`, but does not.")
+            raise ArgumentError(f"{own_name(plant)}.modes must give a finite `{name}`, but does not.")
     for name, sign in (("omega", modes.omega), ("decay", modes.decay)):
         if np.any(sign < 0):
-            raise ArgumentError(f"{name_of(plant)}.modes must give `{name}` >= 0, but the least is {np.min(sign):g}.")
+            raise ArgumentError(f"{own_name(plant)}.modes must give `{name}` >= 0, but the least is {np.min(sign):g}.")
     if [f.name for f in modes.fields] != [name for name, _ in plant.fields]:
-        raise ArgumentError(f"{name_of(plant)}.modes must give the fields that the plant names, {[n for n, _ in plant.fields]}.")
+        raise ArgumentError(f"{own_name(plant)}.modes must give the fields that the plant names, {[n for n, _ in plant.fields]}.")
     return modes
 
 
@@ -66,9 +60,11 @@ def check_stages(stages: tuple[Stage, ...], dt: float) -> None:
         with blame(stage, "step"):
             outputs = np.array([float(type(stage).step(u, state.copy(), row, state.copy())) for u in TRIED])
         if not np.all(np.isfinite(outputs)):
-            raise ArgumentError(f"{name_of(stage)}.step must give finite numbers, but gives {outputs[~np.isfinite(outputs)][0]}.")
+            raise ArgumentError(
+                f"{own_name(stage)}.step must give finite numbers, but gives {outputs[~np.isfinite(outputs)][0]}."
+            )
         if stage.monotone and np.any(np.diff(outputs) < -1e-12 * np.abs(outputs).max()):
-            raise ArgumentError(f"{name_of(stage)}.step must not fall as its command rises; if it may, let `monotone` be False.")
+            raise ArgumentError(f"{own_name(stage)}.step must not fall as its command rises; if it may, let `monotone` be False.")
         compile_alone(type(stage), type(stage).step, (0.0, state, row, state.copy()))
 
 
@@ -91,11 +87,11 @@ def check_memory(controller: Controller, before: Mapping[str, Array], after: Map
     for name, memory in (("begin", before), ("learn", after)):
         if not isinstance(memory, Mapping):
             raise ArgumentError(
-                f"{name_of(controller)}.{name} must return a dict of arrays, but returns {type(memory).__name__}."
+                f"{own_name(controller)}.{name} must return a dict of arrays, but returns {type(memory).__name__}."
             )
     if own(type(controller)) and {k: np.shape(v) for k, v in before.items()} != {k: np.shape(v) for k, v in after.items()}:
         shapes = ({name: np.shape(value) for name, value in memory.items()} for memory in (before, after))
-        raise ArgumentError("{}.learn must keep the memories {}, but returns {}.".format(name_of(controller), *shapes))
+        raise ArgumentError("{}.learn must keep the memories {}, but returns {}.".format(own_name(controller), *shapes))
 
 
 @cache
@@ -113,4 +109,4 @@ def compile_alone(cls: type, function: Callable[..., Any], arguments: tuple[Any,
         places = list(PLACE.finditer(str(error)))
         at = f" ({places[-1]['file']}, line {places[-1]['line']})" if places else ""
         reason = next((line.strip() for line in str(error).splitlines() if line.strip() and "Failed in" not in line), "")
-        raise ArgumentError(f"{name_of(cls)}.step cannot be compiled: {reason}{at}.") from None
+        raise ArgumentError(f"{own_name(cls)}.step cannot be compiled: {reason}{at}.") from None

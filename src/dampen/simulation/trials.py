@@ -10,7 +10,7 @@ from typing import Any
 
 import numpy as np
 
-from dampen.component import ArgumentError
+from dampen.component import ArgumentError, own_name
 from dampen.controllers.base import Controller, PortLaw, Setting, Trial
 from dampen.own import blame
 from dampen.simulation.account import accounts
@@ -18,7 +18,7 @@ from dampen.simulation.bench import Bench
 from dampen.simulation.digital import Sampler
 from dampen.simulation.digital_side import begin_again, idle, prepare, sampler_of
 from dampen.simulation.kernel import Record
-from dampen.simulation.pieces import check_memory, check_sampled, name_of
+from dampen.simulation.pieces import check_memory, check_sampled
 from dampen.simulation.records import empty_record, port_records
 from dampen.simulation.result import Layout, Result
 from dampen.simulation.scenario import Scenario
@@ -121,7 +121,7 @@ def trials(scenario: Scenario, bench: Bench, compile: bool = True) -> Iterator[d
         with blame(controller, "law"):
             law = controller.law(memory, setting)
         check_law(controller, law, setting)
-        check_stages(scenario, law)
+        check_monotone(scenario, law)
         if scenario.sampled:
             sampler = prepare(sampler, scenario, setting, law, j)
             ports.soft = 0.0
@@ -172,7 +172,7 @@ def note_trouble(scenario: Scenario, trial: int, record: dict[str, Any], warning
 
 def check_law(controller: Controller, law: PortLaw, setting: Setting) -> None:
     """The closure has one solution only if nothing in the law pushes the wrong way."""
-    ports, whose = len(setting.ports), f"{name_of(controller)}.law"
+    ports, whose = len(setting.ports), f"{own_name(controller)}.law"
     if not isinstance(law, PortLaw):
         raise ArgumentError(f"{whose} must return a PortLaw, but returns {type(law).__name__}.")
     for name in ("feedforward", "coulomb", "damping", "stiffness", "barrier"):
@@ -186,7 +186,7 @@ def check_law(controller: Controller, law: PortLaw, setting: Setting) -> None:
             raise ArgumentError(f"{whose} must give `{name}` >= 0, but the least is {np.min(value):g}.")
 
 
-def check_stages(scenario: Scenario, law: PortLaw) -> None:
+def check_monotone(scenario: Scenario, law: PortLaw) -> None:
     """Inside a continuous law every stage must be monotone; a held command goes through any."""
     if scenario.sampled:
         return

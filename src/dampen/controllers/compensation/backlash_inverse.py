@@ -8,7 +8,7 @@ from typing import Annotated, ClassVar
 from annotated_types import Ge, Gt, Le, Unit
 from typing_extensions import Doc
 
-from dampen.component import ArgumentError
+from dampen.component import check_order
 from dampen.stage import Array, Stage, Step
 
 
@@ -42,8 +42,7 @@ class BacklashInverse(Stage):
     step: ClassVar[Step] = staticmethod(backlash_inverse_step)
 
     def check(self) -> None:
-        if self.left >= self.right:
-            raise ArgumentError(f"Argument `left` must be < `right`, but is {self.left:g} where `right` is {self.right:g}.")
+        check_order("left", self.left, "right", self.right)
 
     def row(self, dt: float) -> tuple[float, ...]:
         return self.slope, self.right, self.left
