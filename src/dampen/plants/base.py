@@ -164,6 +164,11 @@ def polynomial(coefficients: Sequence[float]) -> Callable[[Array], Array]:
     return lambda x: np.polynomial.polynomial.polyval(x, np.asarray(tuple(coefficients) or (0.0,), float))
 
 
-def constant(value: float) -> Callable[[Array], Array]:
-    """`value`, as a function of x."""
-    return lambda x: np.full(len(x), value)
+@dataclass(frozen=True)
+class Constant:
+    """`value`, as a function of x: x (points,) -> (points,)."""
+
+    value: float
+
+    def __call__(self, x: Array) -> Array:
+        return np.full(len(x), self.value)

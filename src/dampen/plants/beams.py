@@ -6,7 +6,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from dampen.plants.base import Array, Damping, Field, Modes, constant
+from dampen.plants.base import Array, Constant, Damping, Field, Modes
 from dampen.plants.eigen import solve_roots, static_compliance
 from dampen.plants.profile import Profile, along, sampled
 from dampen.plants.spaces import Bending, degree
@@ -53,13 +53,13 @@ class SlenderBeam:
             ports=self.ports,
             fields=(
                 Field("w", "m", lambda x: space.values(x) @ vectors, along(self.mass_per_length), masses),
-                Field("phi", "rad", lambda x: space.values(x, 1) @ vectors, constant(0.0), inertias),
+                Field("phi", "rad", lambda x: space.values(x, 1) @ vectors, Constant(0.0), inertias),
             ),
             compliance=static_compliance(stiffness_root.T @ stiffness_root, port_vectors.T) if omega[0] > 0 else None,
             rule=space.rule,
             breaks=space.breaks,
         )
-        return replace(modes, translation=modes.project("w", constant(1.0)))
+        return replace(modes, translation=modes.project("w", Constant(1.0)))
 
     def _space(self, count: int) -> Bending:
         """A degree for waves along the beam, and for the bending layers of width sqrt(EI/T) at the ends of a taut one."""
@@ -75,5 +75,5 @@ class SlenderBeam:
             mass += [np.sqrt(lump.mass) * space.values(at), np.sqrt(lump.inertia) * space.values(at, 1)]
         stiffness = [space.root(2, along(self.bending_stiffness))]
         if self.tension:
-            stiffness.append(space.root(1, constant(self.tension)))
+            stiffness.append(space.root(1, Constant(self.tension)))
         return np.vstack(mass), np.vstack(stiffness)

@@ -10,7 +10,7 @@ from annotated_types import Ge, Gt, Unit
 
 from dampen.component import ArgumentError, split_hint, wrong
 from dampen.own import complaint, own_object
-from dampen.plants.base import constant, polynomial
+from dampen.plants.base import Constant, polynomial
 
 Array = np.ndarray
 Function = Callable[[Array], Array]
@@ -32,7 +32,7 @@ def along(profile: Profile, name: str = "profile") -> Function:
     if not callable(profile):
         if isinstance(profile, str | tuple):
             raise wrong(name, "name a function of x", profile)
-        return constant(float(profile))
+        return Constant(float(profile))
     return lambda x: _called(profile, name, x)
 
 

@@ -3,58 +3,134 @@
 A space holds functions u_i on [0, L] that meet the conditions at x = 0, and knows
 
     values(x, a)[p, i] = u_i^(a)(x_p)        gram(a, b, weight)[i, j] = int weight(x) u_i^(a) u_j^(b) dx
+
+Spaces are equal if their functions are.
 """
 
 from __future__ import annotations
 
 from abc import ABC, abstractmethod
 from collections.abc import Callable
+from dataclasses import dataclass, field, replace
+from functools import cached_property
 
 import numpy as np
 from numpy.polynomial.legendre import legvander
 
 from dampen.gauss import gauss_legendre
+from dampen.plants.base import Constant
 
 Array = np.ndarray
 Function = Callable[[Array], Array]
 
 
+@dataclass(frozen=True)
 class Space(ABC):
-    """Functions on [0, length]. `rule`: points and weights that `gram(0, 0)` is integrated with; smooth between `breaks`."""
+    """Functions on [0, length].
+
+    scales: whether Gram matrices of constant weights are scaled ones of weight 1, made once; equal to round-off.
+    """
 
     length: float
-    size: int
-    rule: tuple[Array, Array]
-    breaks: Array
+    scales: bool = field(default=False, kw_only=True, compare=False)
+
+    @property
+    @abstractmethod
+    def size(self) -> int:
+        """Number of functions."""
+
+    @property
+    @abstractmethod
+    def rule(self) -> tuple[Array, Array]:
+        """Points and weights that `gram(0, 0)` is integrated with."""
+
+    @property
+    @abstractmethod
+    def breaks(self) -> Array:
+        """Places between which the functions are smooth."""
 
     @abstractmethod
     def values(self, x: Array, derivative: int = 0) -> Array:
         """(points, size) values of the basis functions, or of their derivative, at x."""
 
     @abstractmethod
-    def gram(self, a: int, b: int, weight: Function) -> Array:
+    def integral(self, a: int, b: int, weight: Function) -> Array:
         """(size, size) matrix of int weight u_i^(a) u_j^(b) dx."""
 
+    def gram(self, a: int, b: int, weight: Function) -> Array:
+        """The same, from what is remembered where that will do."""
+        if self.scales and isinstance(weight, Constant):
+            return weight.value * self._remembered(("gram", a, b), lambda: self.integral(a, b, Constant(1.0)))
+        return self.integral(a, b, weight)
 
+    def at(self, x: float, derivative: int = 0) -> Array:
+        """(1, size) values at a single place, remembered: ports and lumps are at the same few."""
+        return self._remembered(("at", x, derivative), lambda: self.values(np.array([x]), derivative))
+
+    def kin(self, other: object) -> bool:
+        """Whether `other` has functions of the same kind on the same domain, if not as many."""
+        return self == other
+
+    @cached_property
+    def shared(self) -> Space:
+        """The same space, for many plants that differ in constants."""
+        return replace(self, scales=True)
+
+    @cached_property
+    def _memory(self) -> dict[tuple[str | float, ...], Array]:
+        return {}
+
+    def _remembered(self, key: tuple[str | float, ...], make: Callable[[], Array]) -> Array:
+        if key not in self._memory:
+            self._memory[key] = make()
+            self._memory[key].flags.writeable = False
+        return self._memory[key]
+
+
+@dataclass(frozen=True)
 class Polynomials(Space):
     """One element of high degree, integrated by Gauss points: exactly for weights up to degree + 126 in x."""
 
-    def _integrate_with(self, length: float, degree: int, derivatives: int) -> None:
-        self.length, self.degree, self.size = length, degree, len(self.values(np.zeros(1))[0])
-        s, weights = gauss_legendre(3 * degree // 2 + 64)
-        self.rule, self.breaks = ((s + 1) * length / 2, weights * length / 2), np.array([0.0, length])
-        self._tables = [self.values(self.rule[0], a) for a in range(derivatives + 1)]
+    degree: int
 
-    def gram(self, a: int, b: int, weight: Function) -> Array:
+    @cached_property
+    def rule(self) -> tuple[Array, Array]:
+        s, weights = gauss_legendre(3 * self.degree // 2 + 64)
+        return (s + 1) * self.length / 2, weights * self.length / 2
+
+    @property
+    def breaks(self) -> Array:
+        return np.array([0.0, self.length])
+
+    def values(self, x: Array, derivative: int = 0) -> Array:
+        """Computed, but for the points of `rule`, where all integrals and projections ask: there remembered."""
+        if x is not self.rule[0]:
+            return self.evaluated(x, derivative)
+        return self._remembered(("rule", derivative), lambda: self.evaluated(x, derivative))
+
+    @abstractmethod
+    def evaluated(self, x: Array, derivative: int) -> Array:
+        """(points, size) values of the basis functions, or of their derivative, at any x."""
+
+    def integral(self, a: int, b: int, weight: Function) -> Array:
         x, weights = self.rule
-        return (self._tables[a] * (weights * weight(x))[:, None]).T @ self._tables[b]
+        return (self.values(x, a) * (weights * weight(x))[:, None]).T @ self.values(x, b)
 
     def root(self, a: int, weight: Function) -> Array:
         """(points, size) matrix R such that R^T R = gram(a, a, weight)."""
+        if self.scales and isinstance(weight, Constant):
+            return np.sqrt(weight.value) * self._remembered(("root", a), lambda: self._root(a, Constant(1.0)))
+        return self._root(a, weight)
+
+    def _root(self, a: int, weight: Function) -> Array:
         x, weights = self.rule
-        return self._tables[a] * np.sqrt(weights * weight(x))[:, None]
+        return self.values(x, a) * np.sqrt(weights * weight(x))[:, None]
+
+    def kin(self, other: object) -> bool:
+        return isinstance(other, Polynomials) and replace(self, degree=other.degree) == other
 
 
+@dataclass(frozen=True)
 class Spectral(Polynomials):
     """Integrated Legendre polynomials, which vanish at x = 0.
 
@@ -63,11 +139,11 @@ class Spectral(Polynomials):
     Source: Szabo and Babuska, Finite Element Analysis, 1991, ch. 3 (hierarchic shape functions).
     """
 
-    def __init__(self, length: float, degree: int):
-        self.length, self.degree = length, degree
-        self._integrate_with(length, degree, derivatives=1)
+    @property
+    def size(self) -> int:
+        return self.degree
 
-    def values(self, x: Array, derivative: int = 0) -> Array:
+    def evaluated(self, x: Array, derivative: int) -> Array:
         p = legvander(2 * x / self.length - 1, self.degree)
         k = np.arange(1, self.degree)
         if derivative:
@@ -75,6 +151,7 @@ class Spectral(Polynomials):
         return np.column_stack([x / self.length, (p[:, 2:] - p[:, :-2]) / np.sqrt(2 * (2 * k + 1))])
 
 
+@dataclass(frozen=True)
 class Bending(Polynomials):
     """Twice integrated Legendre polynomials, which vanish at x = 0 with their slope; and the function x, where it may turn.
 
@@ -82,11 +159,13 @@ class Bending(Polynomials):
     conditioned at any degree for a smooth one. The function x, of no curvature, is the rigid rotation of a pinned base.
     """
 
-    def __init__(self, length: float, degree: int, pinned: bool):
-        self.length, self.degree, self.pinned = length, degree, pinned
-        self._integrate_with(length, degree, derivatives=2)
+    pinned: bool
 
-    def values(self, x: Array, derivative: int = 0) -> Array:
+    @property
+    def size(self) -> int:
+        return self.degree - 1 + self.pinned
+
+    def evaluated(self, x: Array, derivative: int) -> Array:
         s, k = 2 * x / self.length - 1, np.arange(self.degree - 1)
         p = legvander(s, self.degree)
         if derivative == 2:
@@ -103,6 +182,7 @@ class Bending(Polynomials):
         return np.column_stack([rotation, basis]) if self.pinned else basis
 
 
+@dataclass(frozen=True)
 class FiniteDifference(Space):
     """The paper's uniform grid of `points` nodes, x = 0 included: second-order central differences, symmetric.
 
@@ -110,12 +190,25 @@ class FiniteDifference(Space):
     neighbours in it is taken at the middles, with its weight there and values averaged.
     """
 
-    def __init__(self, length: float, points: int):
-        self.length, self.size = length, points - 1
-        self.nodes = np.linspace(0, length, points)
-        weights = np.full(self.size, length / self.size)
+    points: int
+
+    @property
+    def size(self) -> int:
+        return self.points - 1
+
+    @cached_property
+    def nodes(self) -> Array:
+        return np.linspace(0, self.length, self.points)
+
+    @cached_property
+    def rule(self) -> tuple[Array, Array]:
+        weights = np.full(self.size, self.length / self.size)
         weights[-1] /= 2
-        self.rule, self.breaks = (self.nodes[1:], weights), self.nodes
+        return self.nodes[1:], weights
+
+    @property
+    def breaks(self) -> Array:
+        return self.nodes
 
     def values(self, x: Array, derivative: int = 0) -> Array:
         """Straight lines between the nodes."""
@@ -124,7 +217,7 @@ class FiniteDifference(Space):
         h = self.nodes[1]
         return np.clip(1 - np.abs(x[:, None] - self.nodes[None, 1:]) / h, 0, None)
 
-    def gram(self, a: int, b: int, weight: Function) -> Array:
+    def integral(self, a: int, b: int, weight: Function) -> Array:
         if a == b == 0:
             x, weights = self.rule
             return np.diag(weights * weight(x))

@@ -9,7 +9,7 @@ import numpy as np
 from annotated_types import Ge, Gt, Unit
 from typing_extensions import Doc
 
-from dampen.plants.base import Array, Damping, Field, Modes, Plant, constant
+from dampen.plants.base import Array, Constant, Damping, Field, Modes, Plant
 from dampen.plants.deflection import Deflection
 from dampen.plants.eigen import solve_modes, static_compliance
 from dampen.plants.profile import Profile, along, check_profiles, sampled
@@ -75,7 +75,7 @@ class String(Plant):
             rule=space.rule,
             breaks=space.breaks,
         )
-        return replace(modes, translation=modes.project("w", constant(1.0)))
+        return replace(modes, translation=modes.project("w", Constant(1.0)))
 
     def _space(self, count: int, grid: int | None) -> Space:
         if grid is not None:

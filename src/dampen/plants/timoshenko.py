@@ -10,7 +10,7 @@ from annotated_types import Ge, Gt, Unit
 from typing_extensions import Doc
 
 from dampen.component import Component, wrong
-from dampen.plants.base import Array, Damping, Field, Modes, Plant, constant, polynomial
+from dampen.plants.base import Array, Constant, Damping, Field, Modes, Plant, polynomial
 from dampen.plants.eigen import solve_modes, static_compliance
 from dampen.plants.profile import Profile, along, check_profiles, sampled
 from dampen.plants.spaces import FiniteDifference, Space, Spectral, degree
@@ -99,7 +99,7 @@ class TimoshenkoBeam(Plant):
             rule=space.rule,
             breaks=space.breaks,
         )
-        return replace(modes, translation=modes.project("w", constant(1.0)))
+        return replace(modes, translation=modes.project("w", Constant(1.0)))
 
     def _space(self, count: int, grid: int | None) -> Space:
         if grid is not None:
