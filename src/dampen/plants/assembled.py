@@ -11,9 +11,12 @@ from annotated_types import Unit
 from typing_extensions import Doc
 
 from dampen.component import Component, InFile
-from dampen.plants.base import Damping, Field, Modes, Plant
-from dampen.plants.eigen import solve_modes, static_compliance
-from dampen.plants.matrices import Matrices, content_hash, interpolation, read_matrices
+from dampen.plants.base import Damping, Field
+from dampen.plants.discretisation import Discretisation
+from dampen.plants.discretised import DiscretisedPlant
+from dampen.plants.energies import MassAndStiffness
+from dampen.plants.matrices import Matrices, Shape, content_hash, read_matrices
+from dampen.plants.shapes import Interpolated
 from dampen.port import Port
 
 Rows: TypeAlias = tuple[tuple[float, ...], ...]
@@ -39,8 +42,36 @@ class AssembledShape(Component):
     unit: Annotated[str, Doc("unit of the field")] = "m"
 
 
+@dataclass(frozen=True, eq=False)
+class DegreesOfFreedom:
+    """The degrees of freedom of matrices, `size` in number, as shape functions: what each adds to which field."""
+
+    size: int
+    shapes: tuple[Shape, ...]
+
+    def __eq__(self, other: object) -> bool:
+        return (
+            isinstance(other, DegreesOfFreedom)
+            and (self.size, len(self.shapes)) == (other.size, len(other.shapes))
+            and all(
+                a.name == b.name and np.array_equal(a.x, b.x) and np.array_equal(a.values, b.values)
+                for a, b in zip(self.shapes, other.shapes, strict=True)
+            )
+        )
+
+    def __hash__(self) -> int:
+        return hash((self.size, tuple(shape.name for shape in self.shapes)))
+
+    def kin(self, other: object) -> bool:
+        return self == other
+
+    @property
+    def shared(self) -> DegreesOfFreedom:
+        return self
+
+
 @dataclass(frozen=True)
-class Assembled(Plant):
+class Assembled(DiscretisedPlant):
     """A structure given by its mass and stiffness matrices and port vectors.
 
         M u_tt + K u = sum_p b_p F_p + M r (-a),    y_p = b_p . u
@@ -94,18 +125,18 @@ class Assembled(Plant):
     def span(self) -> float:
         return max([port.x for port in self.ports] + [float(shape.x[-1]) for shape in self.matrices.shapes])
 
-    def modes(self, count: int, grid: int | None = None) -> Modes:
-        """The lowest `count` modes. Raises ArgumentError if there are fewer degrees of freedom."""
+    def space(self, count: int, grid: int | None) -> DegreesOfFreedom:
+        return DegreesOfFreedom(len(self.matrices.mass), self.matrices.shapes)
+
+    def in_space(self, space: DegreesOfFreedom) -> Discretisation:
         m = self.matrices
-        omega, vectors = solve_modes(m.mass, m.stiffness, count)
-        places = np.unique(np.concatenate([shape.x for shape in m.shapes])) if m.shapes else None
-        return Modes(
-            omega=omega,
-            b=np.ascontiguousarray(m.port_vectors @ vectors),
-            decay=self.damping.decay(omega),
+        return Discretisation(
+            energies=MassAndStiffness(m.mass, m.stiffness),
+            port_vectors=m.port_vectors,
             ports=self.ports,
-            fields=tuple(Field(s.name, s.unit, interpolation(s.x, s.values @ vectors), None) for s in m.shapes),
-            compliance=static_compliance(m.stiffness, m.port_vectors.T) if omega[0] > 0 else None,
-            breaks=places,
-            translation=None if m.translation is None else m.translation @ m.mass @ vectors,
+            fields=tuple(Field(s.name, s.unit, Interpolated(s.x, s.values), None) for s in m.shapes),
+            damping=self.damping,
+            space=space,
+            breaks=np.unique(np.concatenate([shape.x for shape in m.shapes])) if m.shapes else None,
+            translation=None if m.translation is None else m.translation @ m.mass,
         )

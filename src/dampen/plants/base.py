@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from abc import abstractmethod
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
-from typing import Annotated, ClassVar
+from dataclasses import dataclass, replace
+from typing import TYPE_CHECKING, Annotated, ClassVar
 
 import numpy as np
 from annotated_types import Ge, Unit
@@ -14,7 +14,11 @@ from typing_extensions import Doc
 from dampen.component import ArgumentError, Component
 from dampen.gauss import gauss_legendre
 from dampen.modal import ModalModel
+from dampen.plants.shapes import Combined, Shapes
 from dampen.port import Port
+
+if TYPE_CHECKING:
+    from dampen.plants.discretisation import Discretisation
 
 Array = np.ndarray
 
@@ -34,6 +38,11 @@ class Field:
     inertia: Callable[[Array], Array] | None
     lumps: tuple[tuple[float, float], ...] = ()
 
+    def on(self, vectors: Array) -> Field:
+        """The field as the columns of `vectors` (modes, columns) rebuild it, of which each combines modes."""
+        combined = self.shapes.on(vectors) if isinstance(self.shapes, Shapes) else Combined(self.shapes, vectors)
+        return replace(self, shapes=combined)
+
 
 @dataclass(frozen=True, kw_only=True)
 class Modes(ModalModel):
@@ -48,6 +57,7 @@ class Modes(ModalModel):
     rule:        points and weights of the rule that the mass matrix was integrated with.
     breaks:      places between which the shapes are smooth; a load is integrated piece by piece.
     translation: (modes,) inertia against a translation of the base, int rho phi_i dx + M phi_i(L); None: not known.
+    vectors:     (dof, modes) the modes in the shape functions of the discretisation that they were found in, if any.
     """
 
     ports: tuple[Port, ...]
@@ -56,6 +66,7 @@ class Modes(ModalModel):
     rule: tuple[Array, Array] | None = None
     breaks: Array | None = None
     translation: Array | None = None
+    vectors: Array | None = None
 
     @property
     def residual_compliance(self) -> Array:
@@ -80,12 +91,7 @@ class Modes(ModalModel):
         field = self.field(name)
         if self.rule is None or field.inertia is None:
             raise ArgumentError(f"The field `{name}` cannot start from a shape: its inertia along x is not known, only matrices.")
-        x, weights = self.rule
-        modal = (weights * field.inertia(x) * values(x)) @ field.shapes(x)
-        for place, lump in field.lumps:
-            at = np.array([place])
-            modal = modal + lump * values(at) @ field.shapes(at)
-        return modal
+        return projected(field, self.rule, values)
 
     def load_rule(self, name: str, shortest_wave: float) -> tuple[Array, Array]:
         """Points x (points,) and matrix (points, modes) such that f(x, t) @ matrix is the modal load of f on a field.
@@ -101,6 +107,17 @@ class Modes(ModalModel):
         x = (self.breaks[:-1, None] + pieces[:, None] * (nodes + 1) / 2).ravel()
         w = (pieces[:, None] * weights / 2).ravel()
         return x, w[:, None] * field.shapes(x)
+
+
+def projected(field: Field, rule: tuple[Array, Array], values: Callable[[Array], Array]) -> Array:
+    """(modes,) int inertia(x) values(x) shapes(x) dx by the points and weights of `rule`, and the same for every lump."""
+    assert field.inertia is not None, "what has a rule has an inertia along x"
+    x, weights = rule
+    modal = (weights * field.inertia(x) * values(x)) @ field.shapes(x)
+    for place, lump in field.lumps:
+        at = np.array([place])
+        modal = modal + lump * values(at) @ field.shapes(at)
+    return modal
 
 
 class Plant(Component):
@@ -119,6 +136,14 @@ class Plant(Component):
 
         Raises ArgumentError where there are fewer. Without `has_grid`, `grid` is never given and may be left out.
         """
+
+    def discretise(self, count: int, grid: int | None = None, like: Discretisation | None = None) -> Discretisation | None:
+        """The structure in the shape functions that `modes` finds its modes in; None for a plant that tells only its modes.
+
+        With `like`, it is put on the shape functions of that one, whatever `count` would ask for, so that matrices of both
+        belong to the same; None where it cannot be: with another length, base, grid, ports or fields.
+        """
+        return None
 
     @property
     def fields(self) -> tuple[tuple[str, str], ...]:

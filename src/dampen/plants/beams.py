@@ -1,13 +1,17 @@
-"""What beams without shear have in common: their modes in a basis with continuous slope."""
+"""What beams without shear have in common: their energies in a basis with continuous slope."""
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from abc import abstractmethod
+from dataclasses import dataclass
+from functools import partial
 
 import numpy as np
 
-from dampen.plants.base import Array, Constant, Damping, Field, Modes
-from dampen.plants.eigen import solve_roots, static_compliance
+from dampen.plants.base import Constant, Damping, Field
+from dampen.plants.discretisation import Discretisation
+from dampen.plants.discretised import DeflectedPlant
+from dampen.plants.energies import Roots
 from dampen.plants.profile import Profile, along, sampled
 from dampen.plants.spaces import Bending, degree
 from dampen.port import Port
@@ -38,42 +42,54 @@ class SlenderBeam:
     ports: tuple[Port, ...]
     damping: Damping
 
-    def modes(self, count: int) -> Modes:
-        """The lowest `count` modes, from the roots of mass and stiffness: no power of the frequency ratio is lost."""
-        space = self._space(count)
-        mass_root, stiffness_root = self._roots(space)
-        omega, vectors = solve_roots(mass_root, stiffness_root, count)
-        port_vectors = np.vstack([space.values(np.array([p.x]), int(p.field == "phi")) for p in self.ports])
+    def in_space(self, space: Bending) -> Discretisation:
+        """The beam by the roots of mass and stiffness: no power of the frequency ratio is lost."""
         masses = tuple((lump.x, lump.mass) for lump in self.lumps)
         inertias = tuple((lump.x, lump.inertia) for lump in self.lumps)
-        modes = Modes(
-            omega=omega,
-            b=np.ascontiguousarray(port_vectors @ vectors),
-            decay=self.damping.decay(omega),
+        return Discretisation(
+            energies=self._energies(space),
+            port_vectors=np.vstack([space.at(p.x, int(p.field == "phi")) for p in self.ports]),
             ports=self.ports,
             fields=(
-                Field("w", "m", lambda x: space.values(x) @ vectors, along(self.mass_per_length), masses),
-                Field("phi", "rad", lambda x: space.values(x, 1) @ vectors, Constant(0.0), inertias),
+                Field("w", "m", space.values, along(self.mass_per_length), masses),
+                Field("phi", "rad", partial(space.values, derivative=1), Constant(0.0), inertias),
             ),
-            compliance=static_compliance(stiffness_root.T @ stiffness_root, port_vectors.T) if omega[0] > 0 else None,
+            damping=self.damping,
+            space=space,
             rule=space.rule,
             breaks=space.breaks,
         )
-        return replace(modes, translation=modes.project("w", Constant(1.0)))
 
-    def _space(self, count: int) -> Bending:
+    def space(self, count: int) -> Bending:
         """A degree for waves along the beam, and for the bending layers of width sqrt(EI/T) at the ends of a taut one."""
         rho, ei = (sampled(p, self.length) for p in (self.mass_per_length, self.bending_stiffness))
         layers = int(np.ceil(4 * (self.tension * self.length**2 / ei.min()) ** 0.25))
         return Bending(self.length, degree(count, (rho / ei) ** 0.25) + layers, self.pinned)
 
-    def _roots(self, space: Bending) -> tuple[Array, Array]:
-        """A and B, mass = A^T A and stiffness = B^T B."""
+    def _energies(self, space: Bending) -> Roots:
         mass = [space.root(0, along(self.mass_per_length))]
         for lump in self.lumps:
-            at = np.array([lump.x])
-            mass += [np.sqrt(lump.mass) * space.values(at), np.sqrt(lump.inertia) * space.values(at, 1)]
+            mass += [np.sqrt(lump.mass) * space.at(lump.x), np.sqrt(lump.inertia) * space.at(lump.x, 1)]
         stiffness = [space.root(2, along(self.bending_stiffness))]
         if self.tension:
             stiffness.append(space.root(1, Constant(self.tension)))
-        return np.vstack(mass), np.vstack(stiffness)
+        return Roots(np.vstack(mass), np.vstack(stiffness))
+
+
+class SlenderPlant(DeflectedPlant):
+    """A plant that is a slender beam: needs `ports` and `beam`."""
+
+    @property
+    @abstractmethod
+    def beam(self) -> SlenderBeam:
+        """The beam that it is."""
+
+    @property
+    def fields(self) -> tuple[tuple[str, str], ...]:
+        return (("w", "m"), ("phi", "rad"))
+
+    def space(self, count: int, grid: int | None) -> Bending:
+        return self.beam.space(count)
+
+    def in_space(self, space: Bending) -> Discretisation:
+        return self.beam.in_space(space)

@@ -10,13 +10,14 @@ Array = np.ndarray
 SURE, DOUBTFUL = 1e-3, 1e-6  # least eigenvalue, as a share of the shift, that is good for the next shift, or known at all
 
 
-def solve_modes(mass: Array, stiffness: Array, count: int) -> tuple[Array, Array]:
+def solve_modes(mass: Array, stiffness: Array, count: int, at_once: bool = False) -> tuple[Array, Array]:
     """Lowest `count` solutions of K v = omega^2 M v: omega ascending, and mass-normalised vectors as columns.
 
     Solved as M v = 1/(omega^2 + s) (K + s M) v, whose largest eigenvalues are the lowest frequencies: those come out with
     relative errors near round-off, where the direct form loses the ratio of the highest to the lowest eigenvalue. The shift
     s is 0 for a structure that is held, and of the order of the first elastic omega^2 for one that is free to move as a
-    rigid body, whose rigid modes have omega = 0 exactly.
+    rigid body, whose rigid modes have omega = 0 exactly. `at_once`: all modes are found, and the lowest kept, which is
+    quicker if those are the most of a few hundred.
     """
     from scipy.linalg import eigh
 
@@ -24,7 +25,10 @@ def solve_modes(mass: Array, stiffness: Array, count: int) -> tuple[Array, Array
     rigid = rigid_modes(stiffness)
     shift = elastic_shift(mass, stiffness, rigid) if rigid else 0.0
     held = stiffness + shift * mass if rigid else stiffness
-    inverse, vectors = eigh(mass, held, subset_by_index=(len(mass) - count, len(mass) - 1))
+    if at_once:
+        inverse, vectors = (part[..., len(mass) - count :] for part in eigh(mass, held, driver="gvd"))
+    else:
+        inverse, vectors = eigh(mass, held, subset_by_index=(len(mass) - count, len(mass) - 1))
     return _unshifted(1 / inverse[::-1], shift, rigid), vectors[:, ::-1] / np.sqrt(inverse[::-1])
 
 

@@ -9,15 +9,15 @@ from annotated_types import Ge, Gt, Unit
 from typing_extensions import Doc
 
 from dampen.component import wrong
-from dampen.plants.base import Array, Damping, Modes, Plant
-from dampen.plants.beams import Lump, SlenderBeam
+from dampen.plants.base import Damping
+from dampen.plants.beams import Lump, SlenderBeam, SlenderPlant
 from dampen.plants.deflection import Deflection
 from dampen.plants.profile import Profile, check_profiles
 from dampen.port import Port
 
 
 @dataclass(frozen=True)
-class EulerBernoulliBeam(Plant):
+class EulerBernoulliBeam(SlenderPlant):
     """Euler-Bernoulli beam, clamped or pinned at its base, with a tip payload and axial tension.
 
         rho w_tt + (EI w_xx)_xx - (T w_x)_x = f(x, t)                   w(0, t) = 0
@@ -53,17 +53,7 @@ class EulerBernoulliBeam(Plant):
         return (Port("tip_w", "w", self.length, "force"), Port("tip_phi", "phi", self.length, "torque"))
 
     @property
-    def fields(self) -> tuple[tuple[str, str], ...]:
-        return (("w", "m"), ("phi", "rad"))
-
-    def initial_ports(self) -> tuple[float, ...]:
-        return self.initial.at_ports(self.ports)
-
-    def initial_state(self, modes: Modes) -> tuple[Array, Array]:
-        return self.initial.in_modes(modes)
-
-    def modes(self, count: int, grid: int | None = None) -> Modes:
-        """The lowest `count` modes. Raises ArgumentError if the discretisation has fewer."""
+    def beam(self) -> SlenderBeam:
         return SlenderBeam(
             length=self.length,
             pinned=self.base == "pinned",
@@ -73,4 +63,4 @@ class EulerBernoulliBeam(Plant):
             lumps=(Lump(self.length, self.tip_mass, self.tip_inertia),),
             ports=self.ports,
             damping=self.damping,
-        ).modes(count)
+        )

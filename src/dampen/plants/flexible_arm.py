@@ -8,15 +8,15 @@ from typing import Annotated, ClassVar
 from annotated_types import Ge, Gt, Unit
 from typing_extensions import Doc
 
-from dampen.plants.base import Array, Damping, Modes, Plant
-from dampen.plants.beams import Lump, SlenderBeam
+from dampen.plants.base import Damping
+from dampen.plants.beams import Lump, SlenderBeam, SlenderPlant
 from dampen.plants.deflection import Deflection
 from dampen.plants.profile import Profile, check_profiles
 from dampen.port import Port
 
 
 @dataclass(frozen=True)
-class FlexibleArm(Plant):
+class FlexibleArm(SlenderPlant):
     """Euler-Bernoulli arm that turns with its hub, with a payload at its tip.
 
         rho w_tt + (EI w_xx)_xx = f(x, t)                               w(0, t) = 0
@@ -49,17 +49,7 @@ class FlexibleArm(Plant):
         return (Port("hub", "phi", 0.0, "torque"), Port("tip_w", "w", self.length, "force"))
 
     @property
-    def fields(self) -> tuple[tuple[str, str], ...]:
-        return (("w", "m"), ("phi", "rad"))
-
-    def initial_ports(self) -> tuple[float, ...]:
-        return self.initial.at_ports(self.ports)
-
-    def initial_state(self, modes: Modes) -> tuple[Array, Array]:
-        return self.initial.in_modes(modes)
-
-    def modes(self, count: int, grid: int | None = None) -> Modes:
-        """The lowest `count` modes, the rigid rotation first. Raises ArgumentError if the discretisation has fewer."""
+    def beam(self) -> SlenderBeam:
         return SlenderBeam(
             length=self.length,
             pinned=True,
@@ -69,4 +59,4 @@ class FlexibleArm(Plant):
             lumps=(Lump(0.0, 0.0, self.hub_inertia), Lump(self.length, self.tip_mass, self.tip_inertia)),
             ports=self.ports,
             damping=self.damping,
-        ).modes(count)
+        )

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import hashlib
-from collections.abc import Callable, Mapping
+from collections.abc import Mapping
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -110,17 +110,6 @@ def content_hash(plant: Any, expected: str) -> str:
     if expected and expected != found:
         raise wrong("sha256", f"be {found or 'left out, since no file is named'}, the files' hash (have they changed?)", expected)
     return found
-
-
-def interpolation(places: Array, values: Array) -> Callable[[Array], Array]:
-    """x (points,) -> (points, columns): straight lines through `values` (places, columns), level beyond their ends."""
-
-    def shapes(x: Array) -> Array:
-        left = np.clip(np.searchsorted(places, x) - 1, 0, len(places) - 2)
-        part = np.clip((x - places[left]) / (places[left + 1] - places[left]), 0.0, 1.0)[:, None]
-        return (1 - part) * values[left] + part * values[left + 1]
-
-    return shapes
 
 
 def _matrix(value: Any, name: str, held: Mapping[str, Array]) -> Array:

@@ -64,8 +64,8 @@ class Space(ABC):
         return self.integral(a, b, weight)
 
     def at(self, x: float, derivative: int = 0) -> Array:
-        """(1, size) values at a single place, remembered: ports and lumps are at the same few."""
-        return self._remembered(("at", x, derivative), lambda: self.values(np.array([x]), derivative))
+        """(1, size) values at a single place."""
+        return self.values(np.array([x]), derivative)
 
     def kin(self, other: object) -> bool:
         """Whether `other` has functions of the same kind on the same domain, if not as many."""
@@ -103,10 +103,11 @@ class Polynomials(Space):
         return np.array([0.0, self.length])
 
     def values(self, x: Array, derivative: int = 0) -> Array:
-        """Computed, but for the points of `rule`, where all integrals and projections ask: there remembered."""
-        if x is not self.rule[0]:
+        """Remembered for the points of `rule`, where integrals and projections ask, and at either end, where lumps are."""
+        place: str | float = "rule" if x is self.rule[0] else float(x[0]) if len(x) == 1 else ""
+        if place not in ("rule", 0.0, self.length):
             return self.evaluated(x, derivative)
-        return self._remembered(("rule", derivative), lambda: self.evaluated(x, derivative))
+        return self._remembered(("values", place, derivative), lambda: self.evaluated(x, derivative))
 
     @abstractmethod
     def evaluated(self, x: Array, derivative: int) -> Array:

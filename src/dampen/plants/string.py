@@ -2,23 +2,25 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, field
 from typing import Annotated, ClassVar
 
 import numpy as np
 from annotated_types import Ge, Gt, Unit
 from typing_extensions import Doc
 
-from dampen.plants.base import Array, Constant, Damping, Field, Modes, Plant
+from dampen.plants.base import Damping, Field
 from dampen.plants.deflection import Deflection
-from dampen.plants.eigen import solve_modes, static_compliance
+from dampen.plants.discretisation import Discretisation
+from dampen.plants.discretised import DeflectedPlant
+from dampen.plants.energies import MassAndStiffness
 from dampen.plants.profile import Profile, along, check_profiles, sampled
 from dampen.plants.spaces import FiniteDifference, Space, Spectral, degree
 from dampen.port import Port
 
 
 @dataclass(frozen=True)
-class String(Plant):
+class String(DeflectedPlant):
     """String under tension, fixed at x = 0, with a payload at its free end.
 
         rho w_tt - (T w_x)_x = f(x, t)      M w_tt + T w_x = force at x = L      w(0, t) = 0
@@ -51,34 +53,22 @@ class String(Plant):
     def fields(self) -> tuple[tuple[str, str], ...]:
         return (("w", "m"),)
 
-    def initial_ports(self) -> tuple[float, ...]:
-        return self.initial.at_ports(self.ports)
-
-    def initial_state(self, modes: Modes) -> tuple[Array, Array]:
-        return self.initial.in_modes(modes)
-
-    def modes(self, count: int, grid: int | None = None) -> Modes:
-        """The lowest `count` modes. Raises ArgumentError if the discretisation has fewer."""
-        space = self._space(count, grid)
-        tip = space.values(np.array([self.length]))
-        mass = space.gram(0, 0, along(self.mass_per_length)) + self.tip_mass * tip.T @ tip
-        stiffness = space.gram(1, 1, along(self.tension))
-        omega, vectors = solve_modes(mass, stiffness, count)
-        lumps = ((self.length, self.tip_mass),)
-        modes = Modes(
-            omega=omega,
-            b=np.ascontiguousarray(tip @ vectors),
-            decay=self.damping.decay(omega),
-            ports=self.ports,
-            fields=(Field("w", "m", lambda x: space.values(x) @ vectors, along(self.mass_per_length), lumps),),
-            compliance=static_compliance(stiffness, tip.T),
-            rule=space.rule,
-            breaks=space.breaks,
-        )
-        return replace(modes, translation=modes.project("w", Constant(1.0)))
-
-    def _space(self, count: int, grid: int | None) -> Space:
+    def space(self, count: int, grid: int | None) -> Space:
         if grid is not None:
             return FiniteDifference(self.length, grid)
         rho, tension = (sampled(p, self.length) for p in (self.mass_per_length, self.tension))
         return Spectral(self.length, degree(count, np.sqrt(rho / tension)))
+
+    def in_space(self, space: Space) -> Discretisation:
+        tip, rho = space.at(self.length), along(self.mass_per_length)
+        mass = space.gram(0, 0, rho) + self.tip_mass * tip.T @ tip
+        return Discretisation(
+            energies=MassAndStiffness(mass, space.gram(1, 1, along(self.tension))),
+            port_vectors=tip,
+            ports=self.ports,
+            fields=(Field("w", "m", space.values, rho, ((self.length, self.tip_mass),)),),
+            damping=self.damping,
+            space=space,
+            rule=space.rule,
+            breaks=space.breaks,
+        )

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, field
 from typing import Annotated, ClassVar
 
 import numpy as np
@@ -10,9 +10,12 @@ from annotated_types import Ge, Gt, Unit
 from typing_extensions import Doc
 
 from dampen.component import Component, wrong
-from dampen.plants.base import Array, Constant, Damping, Field, Modes, Plant, polynomial
-from dampen.plants.eigen import solve_modes, static_compliance
+from dampen.plants.base import Array, Damping, Field, Modes, polynomial
+from dampen.plants.discretisation import Discretisation
+from dampen.plants.discretised import DiscretisedPlant
+from dampen.plants.energies import MassAndStiffness
 from dampen.plants.profile import Profile, along, check_profiles, sampled
+from dampen.plants.shapes import Part
 from dampen.plants.spaces import FiniteDifference, Space, Spectral, degree
 from dampen.port import Port
 
@@ -34,7 +37,7 @@ class BeamState(Component):
 
 
 @dataclass(frozen=True)
-class TimoshenkoBeam(Plant):
+class TimoshenkoBeam(DiscretisedPlant):
     """Clamped Timoshenko beam with a tip payload.
 
         I_rho phi_tt - EI phi_xx + K (phi - w_x) = 0            J phi_tt + EI phi_x   = torque at x = L
@@ -75,33 +78,13 @@ class TimoshenkoBeam(Plant):
         tip = np.array([self.length])
         return tuple(float(polynomial(c)(tip)[0]) for c in (self.initial.w, self.initial.phi))
 
-    def modes(self, count: int, grid: int | None = None) -> Modes:
-        """The lowest `count` modes. Raises ArgumentError if the discretisation has fewer."""
-        space = self._space(count, grid)
-        size, tip = space.size, space.values(np.array([self.length]))[0]
-        mass, stiffness = self._matrices(space, tip)
-        w, phi = slice(0, size), slice(size, None)
-        omega, vectors = solve_modes(mass, stiffness, count)
-        port_vectors = np.zeros((2 * size, 2))
-        port_vectors[w, 0] = port_vectors[phi, 1] = tip
-        w_vectors, phi_vectors = vectors[w], vectors[phi]
-        lumps = (((self.length, self.tip_mass),), ((self.length, self.tip_inertia),))
-        modes = Modes(
-            omega=omega,
-            b=np.ascontiguousarray(port_vectors.T @ vectors),
-            decay=self.damping.decay(omega),
-            ports=self.ports,
-            fields=(
-                Field("w", "m", lambda x: space.values(x) @ w_vectors, along(self.mass_per_length), lumps[0]),
-                Field("phi", "rad", lambda x: space.values(x) @ phi_vectors, along(self.rotary_inertia), lumps[1]),
-            ),
-            compliance=static_compliance(stiffness, port_vectors),
-            rule=space.rule,
-            breaks=space.breaks,
-        )
-        return replace(modes, translation=modes.project("w", Constant(1.0)))
+    def initial_state(self, modes: Modes) -> tuple[Array, Array]:
+        start = self.initial
+        q = modes.project("w", polynomial(start.w)) + modes.project("phi", polynomial(start.phi))
+        rate = modes.project("w", polynomial(start.w_rate)) + modes.project("phi", polynomial(start.phi_rate))
+        return q, rate
 
-    def _space(self, count: int, grid: int | None) -> Space:
+    def space(self, count: int, grid: int | None) -> Space:
         if grid is not None:
             return FiniteDifference(self.length, grid)
         rho, inertia, ei, k = (
@@ -110,7 +93,27 @@ class TimoshenkoBeam(Plant):
         )
         return Spectral(self.length, degree(count, np.sqrt(rho / k), np.sqrt(inertia / ei)))
 
-    def _matrices(self, space: Space, tip: Array) -> tuple[Array, Array]:
+    def in_space(self, space: Space) -> Discretisation:
+        size, tip = space.size, space.at(self.length)[0]
+        w, phi = slice(0, size), slice(size, 2 * size)
+        port_vectors = np.zeros((2, 2 * size))
+        port_vectors[0, w] = port_vectors[1, phi] = tip
+        lumps = (((self.length, self.tip_mass),), ((self.length, self.tip_inertia),))
+        return Discretisation(
+            energies=self._energies(space, tip),
+            port_vectors=port_vectors,
+            ports=self.ports,
+            fields=(
+                Field("w", "m", Part(space.values, w, 2 * size), along(self.mass_per_length), lumps[0]),
+                Field("phi", "rad", Part(space.values, phi, 2 * size), along(self.rotary_inertia), lumps[1]),
+            ),
+            damping=self.damping,
+            space=space,
+            rule=space.rule,
+            breaks=space.breaks,
+        )
+
+    def _energies(self, space: Space, tip: Array) -> MassAndStiffness:
         """Mass and stiffness of (w, phi): kinetic energy, and EI phi_x^2/2 + K (w_x - phi)^2/2, integrated."""
         ei, k = along(self.bending_stiffness), along(self.shear_stiffness)
         nothing, at_tip, shear = np.zeros((space.size, space.size)), np.outer(tip, tip), space.gram(1, 0, k)
@@ -118,10 +121,4 @@ class TimoshenkoBeam(Plant):
         mass_phi = space.gram(0, 0, along(self.rotary_inertia)) + self.tip_inertia * at_tip
         mass = np.block([[mass_w, nothing], [nothing, mass_phi]])
         stiffness = np.block([[space.gram(1, 1, k), -shear], [-shear.T, space.gram(1, 1, ei) + space.gram(0, 0, k)]])
-        return mass, stiffness
-
-    def initial_state(self, modes: Modes) -> tuple[Array, Array]:
-        start = self.initial
-        q = modes.project("w", polynomial(start.w)) + modes.project("phi", polynomial(start.phi))
-        rate = modes.project("w", polynomial(start.w_rate)) + modes.project("phi", polynomial(start.phi_rate))
-        return q, rate
+        return MassAndStiffness(mass, stiffness)
