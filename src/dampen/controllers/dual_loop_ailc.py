@@ -3,16 +3,23 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import ClassVar
+from typing import Any, ClassVar
 
 import numpy as np
 
-from dampen.controllers.base import Memory, Setting, Trial
+from dampen.controllers.base import Array, Setting
 from dampen.controllers.inner_loop import InnerLoop
+from dampen.controllers.pointwise import PointwiseLearning, Relearn
+
+
+def relearn(zeta: Any, d_hat: Any, error: Any, v: Any, command: Any, row: Any) -> tuple[Any, Any]:
+    """xi = zeta - row[0] v, its dead-zone of width row[2]; and d_hat + row[1] |v|."""
+    xi = zeta - row[0] * v
+    return xi - np.minimum(np.maximum(xi, 0.0), row[2]), d_hat + row[1] * np.abs(v)
 
 
 @dataclass(frozen=True)
-class DualLoopAILC(InnerLoop):
+class DualLoopAILC(PointwiseLearning, InnerLoop):
     """Dual-loop adaptive iterative learning control with a barrier.
 
         force   u = xi - [d_hat + 2 alpha_1 f_bar L + alpha_2 d_bar] sgn(v) - alpha_3 y/(C^2 - y^2) ln(C^2/(C^2 - y^2))
@@ -26,13 +33,9 @@ class DualLoopAILC(InnerLoop):
     """
 
     kind: ClassVar[str] = "dual-loop-ailc"
+    memories: ClassVar[tuple[str, str]] = ("zeta", "d_hat")
+    relearn: ClassVar[Relearn] = staticmethod(relearn)
 
-    def begin(self, setting: Setting) -> Memory:
-        nothing = np.zeros((setting.steps, len(setting.ports)))
-        return {"zeta": nothing, "d_hat": nothing}
-
-    def learn(self, memory: Memory, trial: Trial, setting: Setting) -> Memory:
-        xi = memory["zeta"] - setting.by_kind(self.alpha_4, self.alpha_7) * trial.v
-        zeta = np.where(xi <= 0, xi, np.maximum(xi - self.assumed_backlash.width, 0.0))
-        observed = setting.by_kind(self.alpha_8, self.alpha_9) * np.abs(trial.v)
-        return {"zeta": zeta, "d_hat": memory["d_hat"] + observed}
+    def learning_row(self, setting: Setting) -> Array:
+        learning, observing = setting.by_kind(self.alpha_4, self.alpha_7), setting.by_kind(self.alpha_8, self.alpha_9)
+        return np.array([learning, observing, np.full(len(setting.ports), self.assumed_backlash.width)])

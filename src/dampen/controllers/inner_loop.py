@@ -1,4 +1,4 @@
-"""The inner loop of He et al. 2017: the adaptive barrier law at the ports, with what it has learned put in."""
+"""The inner loop of He et al. 2017: the adaptive barrier law at the ports."""
 
 from __future__ import annotations
 
@@ -58,7 +58,7 @@ class FlankInverse(Stage):
 
 @dataclass(frozen=True)
 class InnerLoop(Controller):
-    """The law within a trial; what the two terms with a hat come from is a matter of the subclass."""
+    """The law within a trial; a subclass may add what it learns from trial to trial."""
 
     alpha_1: Annotated[float, Gt(0), Doc("gain against the distributed load, on its bound f_bar L")] = 1.0
     alpha_2: Annotated[float, Ge(1), Doc("gain on the bound of the force disturbance")] = 1.0
@@ -91,8 +91,8 @@ class InnerLoop(Controller):
     def law(self, memory: Memory, setting: Setting) -> PortLaw:
         nothing = np.zeros((setting.steps, len(setting.ports)))
         return PortLaw(
-            feedforward=memory.get("zeta", nothing),
-            coulomb=memory.get("d_hat", nothing) + self._robust(setting),
+            feedforward=nothing,
+            coulomb=nothing + self._robust(setting),
             damping=setting.by_kind(self.alpha_4 + self.alpha_8, self.alpha_7 + self.alpha_9),
             barrier=setting.by_kind(self.alpha_3, self.alpha_6) * (self.barrier != "none"),
         )

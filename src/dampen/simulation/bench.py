@@ -32,15 +32,22 @@ LOAD_BLOCK = 100  # steps whose load is sampled at a time: what fits a processor
 class Bench:
     """The plant, set up for a scenario's task and disturbance; controllers can be changed without setting it up again.
 
+    modes:   the plant's modes, where they have been found already.
+    carried: another bench with the same disturbance, and the modes in terms of its own, shapes(x) = its shapes(x) @ mix, with
+             mix (its modes, modes): what is spread along the structure is then sampled and projected there, once for all benches
+             that it carries.
+
     Raises ArgumentError for what modes and step cannot resolve; `warnings` says where that is thin.
     """
 
-    def __init__(self, scenario: Scenario):
+    def __init__(self, scenario: Scenario, modes: Modes | None = None, carried: tuple[Bench, Array] | None = None):
         numerics, plant = scenario.numerics, scenario.plant
         self.scenario = scenario
         self.site = Site(plant.ports, plant.span, scenario.task.trial_duration)
         on_grid = numerics.discretisation == "finite-difference"
-        self.modes: Modes = modes_of(plant, numerics.modes, numerics.points if on_grid else None)
+        self.grid = numerics.points if on_grid else None
+        self.carried = carried
+        self.modes: Modes = modes_of(plant, numerics.modes, self.grid) if modes is None else modes
         self.motion = propagator(self.modes, numerics.step)
         self.step = exact_step(self.modes, self.motion, numerics.step)
         self.midpoints = (np.arange(scenario.steps) + 0.5) * numerics.step
@@ -60,7 +67,12 @@ class Bench:
         return {field.name: field.shapes(self.x) for field in self.modes.fields}
 
     def kernel(self, scenario: Scenario, compile: bool = True) -> tuple[Any, Sequence[type[Stage]]]:
-        """The kernel with all that this scenario, or another one on this bench, needs; and the stages' classes, by code.
+        """The kernel with all that this scenario, or another one on this bench, needs; and the stages' classes, by code."""
+        composition, classes = self.composition(scenario)
+        return compiled_kernel(composition) if compile else composition.bind(), classes
+
+    def composition(self, scenario: Scenario) -> tuple[Composition, Sequence[type[Stage]]]:
+        """What that kernel is made of.
 
         A second scenario adds only what the first did not have, so that the run without control needs no kernel of its own.
         """
@@ -79,12 +91,16 @@ class Bench:
             barrier="log" if self._barrier == "none" else self._barrier,
             sampled_law=self._sampled_law,
         )
-        return compiled_kernel(composition) if compile else composition.bind(), self._stages
+        return composition, self._stages
 
     def modal_record(self, trial: int = 0) -> Any:
         """The record of all modes as a trial begins that starts from the initial state."""
+        return modal_record(self.modes, self.motion, self.step, *self.state(trial))
+
+    def state(self, trial: int = 0) -> tuple[Array, Array]:
+        """Modal coordinates and rates, (modes,) each, as such a trial begins."""
         q, rate = self.start
-        return modal_record(self.modes, self.motion, self.step.dt, q + self._misplaced(trial), rate)
+        return q + self._misplaced(trial), rate
 
     def _misplaced(self, trial: int) -> Array:
         """How far a reset misses the initial state, (modes,): the ports off at random, the structure bent to them."""
@@ -126,6 +142,11 @@ class Bench:
         while it fits."""
         source = self.scenario.disturbance
         key = source.same_as(trial)
+        if self.carried is not None:
+            carrier, mix = self.carried
+            disturbance, load, _ = carrier.shaking(trial)
+            load = aligned(load @ mix)
+            return disturbance, load, self._drift(disturbance, load)
         if key not in self._loads:
             disturbance = np.zeros((len(self.midpoints), len(self.site.ports)))
             load = aligned(np.zeros((len(self.midpoints), self.modes.count)))
@@ -136,11 +157,15 @@ class Bench:
                         disturbance += at_ports
                 with blame(part, "load"):
                     self._add_load(load, part, key)
-            drift = load @ (self.modes.b * self.motion.psi / self.step.dt).T + disturbance @ self.step.g
+            drift = self._drift(disturbance, load)
             if (len(self._loads) + 1) * load.nbytes > LOADS_KEPT:
                 self._loads.clear()
             self._loads[key] = disturbance, load, drift
         return self._loads[key]
+
+    def _drift(self, disturbance: Array, load: Array) -> Array:
+        """(steps, ports) mean velocities that port disturbances and modal load give the ports in a step."""
+        return np.asarray(load @ (self.modes.b * self.motion.psi / self.step.dt).T + disturbance @ self.step.g)
 
     def _add_load(self, load: Array, part: Disturbance, trial: int) -> None:
         """Add to the modal load (steps, modes) what one part of the disturbance puts along the structure."""

@@ -45,7 +45,7 @@ def through(port, command, stages):
 
 
 def port_force(port, stages, v_free, g, dt):
-    """Solve the inclusion at one port: force, command, v_law, the slope of the residual there, and the stages' next states.
+    """Solve the inclusion at one port: force, command, v_law, 1 / slope of the residual there, and the stages' next states.
 
     What the port did last is tried first; a solution found so is the solution, since there is only one. If that fails: with
     the force B_hold at which v_law = 0, do commands that the law allows there reach it? Then the port sticks. If not, the
@@ -54,10 +54,10 @@ def port_force(port, stages, v_free, g, dt):
     """
     h = g + port.soft
     w = v_free - port.soft * port.slow
+    port.give = 1 / h
     if port.v_law != 0.0 and still_slips(port, stages, v_free, g, w, h, dt):
         return
-    give = 1 / h
-    hold = -w * give
+    hold = -w * port.give
     port.v_middle = v_free + g * hold
     port.middle = port.feedforward - potential_force(port, port.v_middle, dt)
     if port.v_law == 0.0 and still_sticks(port, stages, hold):
@@ -81,7 +81,7 @@ def port_force(port, stages, v_free, g, dt):
         output = through(port, command, stages)
         r = output - x
         if abs(r) <= TOLERANCE * (abs(output) + abs(x)) + nothing:
-            settle(port, output, command, w + h * output, (over_r - slip_r) / (over - slip))
+            settle(port, output, command, w + h * output, (over - slip) / (over_r - slip_r))
             return
         if (r > 0) == (slip_r > 0):
             slip, slip_r = x, r
@@ -95,7 +95,7 @@ def port_force(port, stages, v_free, g, dt):
                 break
     # The barrier is so stiff that rounding of y_new decides the command: keep the force, take the command that delivers it.
     command = command_for(port, x, command, output, edge, through(port, edge, stages), stages)
-    settle(port, x, command, w + h * x, -1 / LEAST)
+    settle(port, x, command, w + h * x, -LEAST)
 
 
 def confirm(port, stages, v_free, g, dt):
@@ -127,7 +127,7 @@ def still_sticks(port, stages, hold):
 def still_slips(port, stages, v_free, g, w, h, dt):
     """Slip on in the direction of the last v_law: a secant from the force that is there, with the last slope to begin with."""
     x, sign = port.force, math.copysign(1.0, port.v_law)
-    slope = min(port.slope, -1.0)
+    per_slope = max(port.per_slope, -1.0) if port.per_slope < 0.0 else -1.0
     x_before, r_before = x, 0.0
     for iteration in range(5):
         command = slip_command(port, sign, w + h * x, v_free + g * x, dt)
@@ -136,16 +136,16 @@ def still_slips(port, stages, v_free, g, w, h, dt):
         if abs(r) <= TOLERANCE * (abs(output) + abs(x)):
             if sign * (w + h * output) <= 0:
                 return False
-            settle(port, output, command, w + h * output, slope)
+            settle(port, output, command, w + h * output, per_slope)
             return True
         if iteration > 0:
             if x == x_before or r == r_before:  # steeper than rounding can tell
                 return False
-            slope = (r - r_before) / (x - x_before)
-            if not slope <= -0.5:  # it is at most -1: rounding rules here
+            per_slope = (x - x_before) / (r - r_before)
+            if not -2.0 <= per_slope < 0.0:  # the slope is at most -1: rounding rules here
                 return False
         x_before, r_before = x, r
-        x -= r / slope
+        x -= r * per_slope
     return False
 
 
@@ -154,13 +154,16 @@ def answer(port, g):
 
     Where it sticks, -1/h. Where it slips its residual has the slope -(1 + c h + k g): damping, c as the actuator passes it on,
     answers to v_law and so to h, the potential, k, to v and so to g. Told apart by c: a barrier that holds the port gives -1/g.
+    In terms of s = 1 / (1 + c h + k g) the answer is -(c + k) s = (c h s (h - g) - (1 - s) h) / (h g).
     """
-    h = g + port.soft
     if port.v_law == 0.0:
-        return -1 / h
-    give, least = max(0.0, -1 - port.slope), max(g, LEAST * h)
-    damping = min(port.feedthrough * port.damping * h, give)
-    return -(damping * least + (give - damping) * h) / (h * least * (1 + give))
+        return -port.give
+    h = g + port.soft
+    least = max(g, LEAST * h)
+    per_least = 1 / least
+    s = min(-port.per_slope, 1.0)
+    damping = min(port.feedthrough * port.damping * h * s, 1.0 - s)
+    return damping * (h - least) * per_least * port.give - (1.0 - s) * per_least
 
 
 def slip_command(port, sign, v_law, v, dt):
@@ -201,10 +204,10 @@ def command_for(port, target, near, near_output, far, far_output, stages):
     return guess
 
 
-def settle(port, force, command, v_law, slope):
-    """Write down what a port came to; `slope` is that of its residual, 0 where it sticks."""
+def settle(port, force, command, v_law, per_slope):
+    """Write down what a port came to; `per_slope` is 1 / slope of its residual, 0 where it sticks."""
     port.force = force
     port.command = command
     port.v_law = v_law
-    port.slope = slope
+    port.per_slope = per_slope
     port.held = force

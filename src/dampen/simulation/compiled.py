@@ -11,6 +11,8 @@ from collections.abc import Callable, Iterator
 from types import CodeType, FunctionType
 from typing import Any
 
+_COMPILED: dict[str, Any] = {}
+
 
 def bind(function: Callable[..., Any], **names: Any) -> FunctionType:
     """A copy of `function` in which the given names mean the given things, in it and in the functions that it calls."""
@@ -31,9 +33,18 @@ def bind(function: Callable[..., Any], **names: Any) -> FunctionType:
 def compiled(function: Callable[..., Any]) -> Any:
     """`function` and all plain functions that it calls, compiled by numba; call it like the plain one."""
     assert isinstance(function, FunctionType)
-    dispatcher = _jit(function, inline=False)(_with_compiled_callees(function, {}))
-    _cache_under(dispatcher, _key(function))
-    return dispatcher
+    key = _key(function)
+    if key not in _COMPILED:
+        dispatcher = _jit(function, inline=False)(_with_compiled_callees(function, {}))
+        _cache_under(dispatcher, key)
+        _COMPILED[key] = dispatcher
+    return _COMPILED[key]
+
+
+def standalone(function: Callable[..., Any]) -> Callable[..., Any]:
+    """Mark a function that is compiled by itself and called by others, not inlined: the same machine code for all callers."""
+    function.__dict__["standalone"] = True
+    return function
 
 
 def is_cached(dispatcher: Any) -> bool:
@@ -61,7 +72,9 @@ def _with_compiled_callees(function: FunctionType, done: dict[str, Any]) -> Func
     compiled_callees = {}
     for name, f in _callees(function):
         key = _key(f)  # the same function, bound in several places, is compiled once
-        if key not in done:
+        if f.__dict__.get("standalone"):
+            done[key] = compiled(f)
+        elif key not in done:
             done[key] = _jit(f, inline=True)(_with_compiled_callees(f, done))
         compiled_callees[name] = done[key]
     return bind(function, **compiled_callees)

@@ -8,7 +8,7 @@ from functools import cache
 from types import ModuleType
 from typing import Any
 
-from dampen.simulation import kernel, log_barrier, tan_barrier
+from dampen.simulation import kernel, log_barrier, members, tan_barrier
 from dampen.simulation.compiled import bind, compiled, is_cached
 
 BARRIERS: dict[str, ModuleType] = {"log": log_barrier, "tan": tan_barrier}
@@ -39,11 +39,22 @@ class Composition:
             names |= {"SAMPLED": True, "sampled_law": bind(law, **names)}
         return bind(kernel.run_trial, **names)
 
+    def bind_members(self, relearn: Callable[..., Any] | None) -> Callable[..., None]:
+        """What runs the members of a batch through a trial, around the same kernel; `relearn`: how their law learns."""
+        learning = {} if relearn is None else {"LEARNS": True, "relearn": relearn}
+        return bind(members.run_members, run_trial=self.bind(), PORTS=self.ports, **learning)
+
 
 @cache
 def compiled_kernel(composition: Composition) -> Any:
     """The kernel, compiled; see `is_ready` for whether that will take a while."""
     return compiled(composition.bind())
+
+
+@cache
+def compiled_members(composition: Composition, relearn: Callable[..., Any] | None) -> Any:
+    """The same for the members of a batch."""
+    return compiled(composition.bind_members(relearn))
 
 
 def is_ready(kernel_function: Any) -> bool:

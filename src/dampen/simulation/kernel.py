@@ -12,7 +12,7 @@ import numpy as np
 
 from dampen.simulation.barrier import barrier_memo, fresh_memo
 from dampen.simulation.closure import RELAXATION
-from dampen.simulation.compiled import reassociated
+from dampen.simulation.compiled import reassociated, standalone
 from dampen.simulation.digital import measure, sample
 from dampen.simulation.ports import PORTS, close_ports, velocity
 
@@ -38,7 +38,7 @@ PORT = np.dtype(
         # the port as the step begins: its tracking error y, low < y < high
         ("y", float), ("memo", float), ("v_free", float), ("slow", float),
         # what the closure finds, and its working values
-        ("force", float), ("command", float), ("v_law", float), ("slope", float), ("answer", float),
+        ("force", float), ("command", float), ("v_law", float), ("per_slope", float), ("give", float), ("answer", float),
         ("middle", float), ("v_middle", float), ("held", float),
         ("guess", float), ("v_others", float),
     ]
@@ -56,19 +56,19 @@ STAGE = np.dtype(
 
 # All modes in one record of fixed size: the compiler then knows that its rows do not overlap, and the loop over modes runs in
 # vector instructions without a check. Rows are an odd number of cache lines long, so that they do not compete for one place
-# in the cache. q+ = c11 q + c12 q' + psi a and q'+ = c21 q + c22 q' + c12 a is the exact solution over one step of length dt
-# under a held modal force a; `b0` and `b1` are the port vectors of the first two ports, zero where there is no such port. The
-# losses make the energy that damping takes in a step, a quadratic form in q, q' and a.
+# in the cache. q+ = c11 q + c12 q' + psi a and q'+ = c22 q' + c12 (a - omega2 q) is the exact solution over one step of length
+# dt under a held modal force a (c22 = c11 without damping). b0, b1: port vectors of the first two ports, and v_q0, v_rate0,
+# v_q1, v_rate1: their rows of `Step`; zero where there is no such port. The losses make the energy that damping takes in a
+# step, a quadratic form in q, q' and a.
 _LOSSES = ("loss_qq", "loss_qr", "loss_rr", "loss_qa", "loss_ra", "loss_aa")
-_ROWS = ("q", "rate", "c11", "c12", "c21", "c22", "psi", "omega2", "b0", "b1", "a", *_LOSSES)
-MODAL = np.dtype([*((row, *_ROW) for row in _ROWS), ("count", int)])
+COEFFICIENTS = ("c11", "c12", "c22", "psi", "omega2", "b0", "b1", "v_q0", "v_rate0", "v_q1", "v_rate1", *_LOSSES)
+MODAL = np.dtype([*((row, *_ROW) for row in ("q", "rate", "a", *COEFFICIENTS)), ("count", int), ("v0", float), ("v1", float)])
 
 
 class Step(NamedTuple):
     """What the ports see of a step of length dt: their mean velocity is v_q q + v_rate q' + G F under port forces F.
 
-    `b`, `v_q`, `v_rate` are (ports, modes), with a row of zeros added where the number of ports is odd; `g` is (ports, ports),
-    `coupling` a scratch copy of it.
+    `b`, `v_q`, `v_rate` are (ports, modes), `g` is (ports, ports), `coupling` a scratch copy of it.
     """
 
     dt: float
@@ -111,6 +111,7 @@ class Record(NamedTuple):
     unsettled: Array
 
 
+@standalone
 def run_trial(modal, step, inputs, sampler, ports, stages, every, record):
     """Run one trial in place; `modal`, `ports` and `stages`, arrays of records, carry the state from trial to trial.
 
@@ -151,6 +152,7 @@ def start(m, step, inputs, ports, record):
         total += m.rate[i] * m.rate[i] + m.omega2[i] * m.q[i] * m.q[i]
         record.q[0, i] = m.q[i]
     record.energy[0] = 0.5 * total
+    two_velocities(m)
     for p in range(PORTS):
         port = ports[p]
         port.y = 0.0
@@ -170,27 +172,34 @@ def act(k, inputs, ports):
 
 
 def free_motion(k, m, step, inputs, ports):
-    """How fast the ports go under all that is known as the step begins, and how far they may; ports two by two."""
-    for p in range(0, PORTS, 2):
-        v, v_next = two_velocities(m, step.v_q[p], step.v_rate[p], step.v_q[p + 1], step.v_rate[p + 1])
-        ports[p].v_free = v + inputs.drift[k, p]
-        if p + 1 < PORTS:
-            ports[p + 1].v_free = v_next + inputs.drift[k, p + 1]
+    """How fast the ports go under all that is known as the step begins, and how far they may."""
     for p in range(PORTS):
         port = ports[p]
+        v = m.v0 if p == 0 else m.v1 if p == 1 else one_velocity(m, step.v_q[p], step.v_rate[p])
+        port.v_free = v + inputs.drift[k, p]
         if inputs.low[k, p] != port.low or inputs.high[k, p] != port.high:
             port.low, port.high = inputs.low[k, p], inputs.high[k, p]
             port.memo = fresh_memo(port.y, port.low, port.high)
 
 
 @reassociated
-def two_velocities(m, q_row, rate_row, next_q_row, next_rate_row):
-    """v_q q + v_rate q' of two ports in one go."""
-    n, v, v_next = m.count, 0.0, 0.0
+def one_velocity(m, q_row, rate_row):
+    """v_q q + v_rate q' of a port beyond the second."""
+    n, v = m.count, 0.0
     for i in range(n):
         v += q_row[i] * m.q[i] + rate_row[i] * m.rate[i]
-        v_next += next_q_row[i] * m.q[i] + next_rate_row[i] * m.rate[i]
-    return v, v_next
+    return v
+
+
+@reassociated
+def two_velocities(m):
+    """v_q q + v_rate q' of the first two ports."""
+    n, v0, v1 = m.count, 0.0, 0.0
+    for i in range(n):
+        q, rate = m.q[i], m.rate[i]
+        v0 += m.v_q0[i] * q + m.v_rate0[i] * rate
+        v1 += m.v_q1[i] * q + m.v_rate1[i] * rate
+    m.v0, m.v1 = v0, v1
 
 
 def apply(k, m, step, inputs, ports):
@@ -198,32 +207,39 @@ def apply(k, m, step, inputs, ports):
     first = ports[0].force + inputs.disturbance[k, 0]
     second = ports[1].force + inputs.disturbance[k, 1] if PORTS > 1 else 0.0
     load, modes = inputs.load[k], m.count
-    for i in range(modes):
-        m.a[i] = load[i]
-    for p in range(2, PORTS):
-        force = ports[p].force + inputs.disturbance[k, p]
+    if PORTS > 2:
         for i in range(modes):
-            m.a[i] += force * step.b[p, i]
+            m.a[i] = 0.0
+        for p in range(2, PORTS):
+            force = ports[p].force + inputs.disturbance[k, p]
+            for i in range(modes):
+                m.a[i] += force * step.b[p, i]
     return move(m, load, first, second)
 
 
 @reassociated
 def move(m, load, first, second):
-    """The loop over modes: `a` holds all modal forces but those of the first two ports."""
-    work, energy, lost = 0.0, 0.0, 0.0
+    """The loop over modes, with the velocities of the first two ports in the next step; `a` holds the modal forces of all
+    ports beyond the second."""
+    work, energy, lost, v0, v1 = 0.0, 0.0, 0.0, 0.0, 0.0
     n = m.count
     for i in range(n):
-        a = m.a[i] + first * m.b0[i] + second * m.b1[i]
-        q, rate = m.q[i], m.rate[i]
-        q_new = m.c11[i] * q + m.c12[i] * rate + m.psi[i] * a
-        rate_new = m.c21[i] * q + m.c22[i] * rate + m.c12[i] * a
+        a = load[i] + first * m.b0[i] + second * m.b1[i]
+        if PORTS > 2:
+            a += m.a[i]
+        q, rate, c11, c12 = m.q[i], m.rate[i], m.c11[i], m.c12[i]
+        q_new = c11 * q + c12 * rate + m.psi[i] * a
+        rate_new = (m.c22[i] if DAMPED else c11) * rate + c12 * (a - m.omega2[i] * q)
         work += load[i] * (q_new - q)
         if DAMPED:
             lost += (m.loss_qq[i] * q + m.loss_qr[i] * rate + m.loss_qa[i] * a) * q
             lost += (m.loss_rr[i] * rate + m.loss_ra[i] * a) * rate + m.loss_aa[i] * a * a
         energy += m.omega2[i] * q_new * q_new + rate_new * rate_new
+        v0 += m.v_q0[i] * q_new + m.v_rate0[i] * rate_new
+        v1 += m.v_q1[i] * q_new + m.v_rate1[i] * rate_new
         m.q[i] = q_new
         m.rate[i] = rate_new
+    m.v0, m.v1 = v0, v1
     return work, 0.5 * energy, lost
 
 

@@ -19,23 +19,20 @@ def exact_step(model: ModalModel, motion: Propagator, dt: float) -> Step:
     """What the ports see of a step of the modes under held forces."""
     b = model.b
     g = (b * motion.psi) @ b.T / dt
-    pad = np.zeros((len(b) % 2, model.count))
     fall = -(model.omega**2) * motion.psi  # c11 - 1, without cancellation
-    rows = (np.vstack([part, pad]) for part in (b, b * fall / dt, b * motion.c12 / dt))
-    b_rows, q_rows, rate_rows = map(aligned, rows)
-    return Step(dt, b_rows, q_rows, rate_rows, aligned(g), aligned(g))
+    return Step(dt, *map(aligned, (b, b * fall / dt, b * motion.c12 / dt, g, g)))
 
 
-def modal_record(model: ModalModel, motion: Propagator, dt: float, q: Array, rate: Array) -> Any:
+def modal_record(model: ModalModel, motion: Propagator, step: Step, q: Array, rate: Array) -> Any:
     """The kernel's record of all modes, in the state q, rate."""
     n = model.count
     modal = on_cache_line(MODAL.itemsize).view(MODAL).view(np.recarray)
     rows = {"q": q, "rate": rate, "omega2": model.omega**2}
-    rows |= {name: getattr(motion, name) for name in ("c11", "c12", "c21", "c22", "psi")}
-    rows |= {f"b{p}": row for p, row in enumerate(model.b[:2])}
+    rows |= {name: getattr(motion, name) for name in ("c11", "c12", "c22", "psi")}
+    rows |= {f"{name}{p}": row for name in ("b", "v_q", "v_rate") for p, row in enumerate(getattr(step, name)[:2])}
     if model.damped:
         names = ("loss_qq", "loss_qr", "loss_rr", "loss_qa", "loss_ra", "loss_aa")
-        rows |= dict(zip(names, (dissipation(model, dt) * [1, 2, 1, 2, 2, 1]).T, strict=True))
+        rows |= dict(zip(names, (dissipation(model, step.dt) * [1, 2, 1, 2, 2, 1]).T, strict=True))
     for name, row in rows.items():
         modal[name][0, :n] = row
     modal["count"] = n

@@ -96,7 +96,7 @@ def response(scenario: Scenario, bench: Bench) -> Array:
         pushed = np.repeat(pulse, each, axis=0) if not scenario.sampled else still
         inputs = Inputs(np.ascontiguousarray(pushed), still, still, load, still, -free, free, np.zeros(ports))
         rest = np.zeros(bench.modes.count)
-        modal = modal_record(bench.modes, bench.motion, bench.step.dt, rest, rest)
+        modal = modal_record(bench.modes, bench.motion, bench.step, rest, rest)
         record = empty_record(n, ports, bench.modes.count, n)
         kernel(modal, bench.step, inputs, sampler, records, stages, n, record)
         answers[:, :, r] = record.y[each::each]

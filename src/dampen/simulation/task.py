@@ -65,6 +65,14 @@ class Task(Component):
         if self.reset_error and self.start != "reset":
             raise wrong("reset_error", 'be left out unless `start` is "reset"', dict(self.reset_error))
 
+    @property
+    def steady(self) -> bool:
+        """Whether every trial has the same reference, none, and the same constraint."""
+        moving = any(
+            isinstance(c, Constraint) and isinstance(c.high, Signal) | isinstance(c.low, Signal) for c in self.constraint.values()
+        )
+        return not self.reference and not moving
+
     def references(self, ports: tuple[str, ...], t: Array, trial: int) -> Array:
         """(times, ports) references."""
         columns = [self.reference[name].sample(t, trial) if name in self.reference else np.zeros(len(t)) for name in ports]

@@ -1,0 +1,153 @@
+"""A batch: many parameter sets of one scenario, side by side, of which only figures of merit are kept.
+
+Members go through the trials in step: in each trial one compiled call takes all members of a thread through the very kernel
+that a single run uses, and lets them learn. What they share (modes, loads) is there once. A changed plant is put on the fixed
+basis of the nominal one, which carries its loads. Laws that learn in Python, and sampled ones, go member by member.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from concurrent.futures import Executor, ThreadPoolExecutor
+from dataclasses import dataclass
+from functools import cache, cached_property
+from typing import Any
+
+import numpy as np
+
+from dampen.component import ArgumentError
+from dampen.plants.fixed_basis import FixedBasis
+from dampen.simulation.bench import Bench
+from dampen.simulation.compiled import bind, compiled
+from dampen.simulation.compose import is_ready
+from dampen.simulation.lockstep import Lockstep, in_step, kernel_of, kind_of_member
+from dampen.simulation.passes import passes
+from dampen.simulation.scenario import Scenario
+from dampen.simulation.tally import BY_PORT, SHARE, STEPS, WHOLE, tally
+
+Array = np.ndarray
+CHUNK = 32  # members at a time and thread: their loads and memories are some tens of MiB
+SHARED = ("trials", "trial_duration", "start", "reset_error", "seed")  # of a task, what a bench relies on
+
+
+@dataclass(frozen=True)
+class Tally:
+    """The figures of one member: by_port (trials, ports, BY_PORT) and whole (trials, WHOLE), of the trials that it began."""
+
+    scenario: Scenario
+    by_port: Array
+    whole: Array
+
+    @property
+    def status(self) -> str:
+        """ "complete", "constraint_lost" or "diverged"."""
+        if np.any(self.whole[:, STEPS] < self.scenario.steps):
+            return "diverged"
+        return "constraint_lost" if np.any(self.by_port[:, :, SHARE] >= 1) else "complete"
+
+
+Outcome = Tally | ArgumentError
+
+
+class Batch:
+    """The nominal scenario, set up, and what its members need beside it; kept from call to call."""
+
+    def __init__(self, nominal: Scenario):
+        self.nominal, self.bench = nominal, Bench(nominal)
+
+    def run(self, members: Sequence[Scenario], threads: int = 1) -> list[Outcome]:
+        """Run all members, in their order; one that cannot be run comes back as the ArgumentError that says why."""
+        outcomes: dict[int, Outcome] = {}
+        with ThreadPoolExecutor(threads) as pool:
+            for begin in range(0, len(members), CHUNK * threads):
+                chunk = dict(enumerate(members[begin : begin + CHUNK * threads], begin))
+                outcomes |= self._chunk(chunk, pool, threads)
+        return [outcomes[i] for i in range(len(members))]
+
+    def is_ready(self) -> bool:
+        """Whether the nominal scenario's kernel is compiled already."""
+        step_by_step = in_step(self.nominal)
+        return is_ready(kernel_of(self.nominal, self.bench) if step_by_step else self.bench.kernel(self.nominal)[0])
+
+    def bench_of(self, member: Scenario) -> Bench:
+        """The nominal bench where the member differs in nothing that it holds; else one that it carries, or one of its own."""
+        nominal = self.nominal
+        same_times = all(getattr(member.task, name) == getattr(nominal.task, name) for name in SHARED)
+        if member.disturbance != nominal.disturbance or member.numerics != nominal.numerics or not same_times:
+            return Bench(member)
+        if member.plant == nominal.plant:
+            return self.bench
+        found = self._basis.reprojected(member.plant, member.numerics.modes) if self._basis else None
+        return Bench(member) if found is None else Bench(member, found[0], (self._carrier, found[1]))
+
+    @cached_property
+    def _basis(self) -> FixedBasis | None:
+        return FixedBasis.of(self.nominal.plant, self.nominal.numerics.modes, self.bench.grid)
+
+    @cached_property
+    def _carrier(self) -> Bench:
+        assert self._basis is not None
+        return Bench(self.nominal, self._basis.carrier)
+
+    def _chunk(self, members: dict[int, Scenario], pool: Executor, threads: int) -> dict[int, Outcome]:
+        outcomes: dict[int, Outcome] = {}
+        kinds: list[tuple[Any, list[int]]] = []
+        benches: dict[int, Bench] = {}
+        for i, member in members.items():
+            try:
+                benches[i] = bench = self.bench_of(member)
+                bench.check_start(member)
+            except ArgumentError as error:
+                outcomes[i] = error
+                continue
+            kind = kind_of_member(member) if in_step(member) else i
+            same = next((indices for other, indices in kinds if other == kind), None)
+            kinds.append((kind, [i])) if same is None else same.append(i)
+        for _, indices in kinds:
+            try:
+                outcomes |= self._one_kind({i: members[i] for i in indices}, benches, pool, threads)
+            except ArgumentError as error:
+                if len(indices) == 1:
+                    outcomes[indices[0]] = error
+                    continue
+                for i in indices:  # one of them spoils it for all: find out which
+                    outcomes |= self._chunk({i: members[i]}, pool, 1)
+        return outcomes
+
+    def _one_kind(self, members: dict[int, Scenario], benches: dict[int, Bench], pool: Executor, threads: int) -> dict[int, Any]:
+        scenarios, own = list(members.values()), [benches[i] for i in members]
+        if not in_step(scenarios[0]):
+            return {i: alone(scenarios[0], own[0]) for i in members}
+        threads = max(1, min(threads, len(scenarios)))
+        figures = list(Lockstep(scenarios, own, threads).trials(pool))
+        by_port, whole = (np.stack(side, axis=1) for side in zip(*figures, strict=True))
+        return {i: began(scenarios[n], by_port[n], whole[n]) for n, i in enumerate(members)}
+
+
+def began(scenario: Scenario, by_port: Array, whole: Array) -> Tally:
+    """The figures of the trials that were begun: none after one that broke off."""
+    broken = np.flatnonzero(whole[:, STEPS] < scenario.steps)
+    count = broken[0] + 1 if len(broken) else len(whole)
+    return Tally(scenario, by_port[:count], whole[:count])
+
+
+def alone(scenario: Scenario, bench: Bench) -> Tally:
+    """The figures of a single run."""
+    ports, rows = len(scenario.ports), []
+    before = np.full(ports, np.nan)
+    for p in passes(scenario, bench):
+        reference, (low, high) = scenario.reference(p.trial), scenario.limits(p.trial)
+        by_port, whole = np.zeros((ports, len(BY_PORT))), np.zeros(len(WHOLE))
+        if scenario.task.start == "reset":
+            before[:] = np.nan
+        compiled_tally(ports)(p.record, low - reference, high - reference, p.done, before, by_port, whole)
+        rows.append((by_port, whole))
+        if p.done < scenario.steps:
+            break
+    return Tally(scenario, *(np.stack(side) for side in zip(*rows, strict=True)))
+
+
+@cache
+def compiled_tally(ports: int) -> Any:
+    """`tally`, compiled for a number of ports."""
+    return compiled(bind(tally, PORTS=ports))

@@ -1,0 +1,171 @@
+"""Members of a batch in step: their arrays, stacked for the compiled call that takes them all through a trial."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from concurrent.futures import Executor
+from typing import Any
+
+import numpy as np
+
+from dampen.controllers.base import Controller
+from dampen.controllers.pointwise import PointwiseLearning
+from dampen.simulation.bench import Bench
+from dampen.simulation.compose import compiled_members
+from dampen.simulation.digital_side import idle
+from dampen.simulation.kernel import COEFFICIENTS, PORT, STAGE, Step
+from dampen.simulation.members import Desk, Given, Members
+from dampen.simulation.passes import law_of
+from dampen.simulation.records import aligned, empty_record, modal_record, port_records
+from dampen.simulation.scenario import Scenario
+from dampen.simulation.setting import of_trial, setting_of
+from dampen.simulation.tally import BY_PORT, WHOLE
+
+Array = np.ndarray
+
+
+def in_step(scenario: Scenario) -> bool:
+    """Whether a scenario can be a member: its law acts continuously, and learns point by point or not at all."""
+    controller = scenario.controller
+    learns = type(controller).learn is not Controller.learn
+    return not scenario.sampled and (isinstance(controller, PointwiseLearning) or not learns)
+
+
+def kind_of_member(scenario: Scenario) -> tuple[Any, ...]:
+    """Members that agree in this go through one compiled call: stages, law, trials and numerics."""
+    stages = tuple(tuple(map(type, scenario.chain(p))) for p in range(len(scenario.ports)))
+    task, law = scenario.task, scenario.controller
+    return stages, type(law), law.barrier_shape, task.trials, task.trial_duration, task.start, scenario.numerics
+
+
+class Lockstep:
+    """Members of one kind, each with its bench."""
+
+    def __init__(self, scenarios: Sequence[Scenario], benches: Sequence[Bench], threads: int = 1):
+        self.scenarios, self.benches, self.first = scenarios, benches, scenarios[0]
+        self.count, self.ports, self.bench = len(scenarios), len(self.first.ports), benches[0]
+        self.steady = all(scenario.task.steady for scenario in scenarios)
+        self.settings = [setting_of(s, bench=b) for s, b in zip(scenarios, benches, strict=True)]
+        self.kernel = kernel_of(self.first, self.bench)
+        self.members = self._stacked()
+        self.desks = [self._desk() for _ in range(threads)]
+        self._limits: tuple[Array, Array, Array] | None = None
+
+    def trials(self, pool: Executor) -> Iterator[tuple[Array, Array]]:
+        """Trial after trial, the members' figures: (members, ports, BY_PORT) and (members, WHOLE)."""
+        cuts = np.linspace(0, self.count, len(self.desks) + 1).astype(int).tolist()
+        sampler, steps = idle(self.ports), self.first.steps
+        for j in range(self.first.task.trials):
+            begins = j == 0 or self.first.task.start == "reset"
+            if begins:
+                self._put_back(j)
+            if begins or not self.steady:
+                self._write_laws(j)
+            given = self._given(j)
+            by_port, whole = np.zeros((self.count, self.ports, len(BY_PORT))), np.zeros((self.count, len(WHOLE)))
+            parts = [
+                (self.members, given, desk, sampler, steps, first, last, by_port, whole)
+                for desk, first, last in zip(self.desks, cuts[:-1], cuts[1:], strict=True)
+            ]
+            if len(parts) == 1:
+                self.kernel(*parts[0])
+            else:
+                list(pool.map(lambda part: self.kernel(*part), parts))
+            yield by_port, whole
+
+    def _stacked(self) -> Members:
+        """The members' arrays, empty where each trial or each start writes them."""
+        m, steps, ports, modes = self.count, self.first.steps, self.ports, self.bench.modes.count
+        held = [self.bench] if self._share_a_bench else self.benches
+        learner = isinstance(self.first.controller, PointwiseLearning)
+        rows = [self._learning_row(i) for i in range(m)] if learner else [np.zeros((ports, 1))]
+        stages = max(1, sum(len(self.first.chain(p)) for p in range(ports)))
+        fixed, learned = (m, steps, ports), (m if learner else 1, steps, ports)
+        return Members(
+            coefficients=np.stack([coefficients(bench) for bench in held]),
+            b=np.stack([bench.step.b for bench in held]),
+            v_q=np.stack([bench.step.v_q for bench in held]),
+            v_rate=np.stack([bench.step.v_rate for bench in held]),
+            g=np.stack([bench.step.g for bench in held]),
+            q=np.zeros((m, modes)),
+            rate=np.zeros((m, modes)),
+            ports=np.zeros((m, ports), PORT),
+            stages=np.zeros((m, stages), STAGE),
+            feedforward=np.zeros(fixed),
+            coulomb=np.zeros(fixed),
+            learned_feedforward=np.zeros(learned),
+            learned_coulomb=np.zeros(learned),
+            row=np.stack(rows),
+            before=np.zeros((m, ports)),
+            alive=np.ones(m),
+        )
+
+    @property
+    def _share_a_bench(self) -> bool:
+        return all(bench is self.bench for bench in self.benches)
+
+    def _learning_row(self, i: int) -> Array:
+        law = self.scenarios[i].controller
+        assert isinstance(law, PointwiseLearning)
+        return np.ascontiguousarray(law.learning_row(self.settings[i]).T, float)
+
+    def _desk(self) -> Desk:
+        bench, steps = self.bench, self.first.steps
+        rest = np.zeros(bench.modes.count)
+        step = Step(bench.step.dt, *map(aligned, bench.step[1:]))
+        record = empty_record(steps, self.ports, bench.modes.count, steps)
+        modal = modal_record(bench.modes, bench.motion, step, rest, rest)
+        return Desk(modal, step, record, np.zeros((steps, self.ports)), np.zeros((steps, self.ports)))
+
+    def _put_back(self, trial: int) -> None:
+        """All members as a trial begins that starts from the initial state."""
+        members, (_, classes) = self.members, self.bench.composition(self.first)
+        for i, (scenario, bench) in enumerate(zip(self.scenarios, self.benches, strict=True)):
+            members.q[i], members.rate[i] = bench.state(trial)
+            chains = [scenario.chain(p) for p in range(self.ports)]
+            members.ports[i], members.stages[i] = port_records(chains, bench.step, classes)
+        members.before[:] = np.nan
+
+    def _write_laws(self, trial: int) -> None:
+        """The members' laws without what they have learned, which is all of a law that may change with the trial."""
+        members = self.members
+        for i, scenario in enumerate(self.scenarios):
+            self.settings[i] = setting = of_trial(self.settings[i], scenario, trial) if trial else self.settings[i]
+            law = law_of(scenario, scenario.controller.begin(setting), setting)
+            members.feedforward[i], members.coulomb[i] = law.feedforward, law.coulomb
+            for name in ("damping", "stiffness", "barrier"):
+                members.ports[name][i] = getattr(law, name)
+
+    def _given(self, trial: int) -> Given:
+        """What the trial brings: once for all members where it is the same for all."""
+        held = [self.bench] if self._share_a_bench else self.benches
+        disturbance, load, drift = zip(*(bench.shaking(trial) for bench in held), strict=True)
+        reference, low, high = self._limited(trial)
+        if np.any(reference):
+            drift = [drift[min(i, len(drift) - 1)] - np.diff(r, axis=0) / self.bench.step.dt for i, r in enumerate(reference)]
+        disturbance, load, drift = (part[0][None] if len(part) == 1 else np.stack(part) for part in (disturbance, load, drift))
+        return Given(disturbance, load, drift, low, high, np.ascontiguousarray(reference[:, 0]))
+
+    def _limited(self, trial: int) -> tuple[Array, Array, Array]:
+        """Reference and limits of the error, (members or 1, steps + 1, ports)."""
+        if self._limits is None or not self.steady:
+            alike = all(scenario.task == self.first.task for scenario in self.scenarios)
+            scenarios = self.scenarios[:1] if alike else self.scenarios
+            reference = np.stack([scenario.reference(trial) for scenario in scenarios])
+            low, high = (np.stack(side) for side in zip(*(scenario.limits(trial) for scenario in scenarios), strict=True))
+            self._limits = reference, low - reference, high - reference
+        return self._limits
+
+
+def kernel_of(scenario: Scenario, bench: Bench) -> Any:
+    """The compiled call for members of the scenario's kind."""
+    law = scenario.controller
+    relearn = type(law).relearn if isinstance(law, PointwiseLearning) else None
+    composition, _ = bench.composition(scenario)
+    return compiled_members(composition, relearn)
+
+
+def coefficients(bench: Bench) -> Array:
+    """(rows, modes) of the modal record, as `members.take` reads them."""
+    record = bench.modal_record()
+    return np.stack([record[name][0, : bench.modes.count] for name in COEFFICIENTS])
