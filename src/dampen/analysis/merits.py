@@ -110,7 +110,7 @@ def merits(tally: Tally) -> dict[str, float]:
     values = dict(together)
     for name, row in by_port.items():
         values |= {f"{name}.{port}": value for port, value in zip(scenario.ports, row, strict=True)}
-    unknown = diverged * np.nan
+    unknown = np.nan if diverged else 0.0
     kept = {name: float(values[name]) for name in columns(scenario)}
     return {name: value if name.startswith(("margin", "unsettled")) else value + unknown for name, value in kept.items()}
 

@@ -137,15 +137,15 @@ class Bench:
         feedforward, coulomb, drift = map(np.ascontiguousarray, (feedforward, coulomb, drift))
         return Inputs(feedforward, coulomb, disturbance, load, drift, low, high, reference[0].copy())
 
-    def shaking(self, trial: int) -> tuple[Array, Array, Array]:
+    def shaking(self, trial: int, into: Array | None = None) -> tuple[Array, Array, Array]:
         """Disturbance (steps, ports), modal load (steps, modes), drift of the ports under both, (steps, ports) in m/s; kept
-        while it fits."""
+        while it fits, unless another bench carries it. into: where the load is to be written."""
         source = self.scenario.disturbance
         key = source.same_as(trial)
         if self.carried is not None:
             carrier, mix = self.carried
             disturbance, load, _ = carrier.shaking(trial)
-            load = aligned(load @ mix)
+            load = np.matmul(load, mix, out=into)
             return disturbance, load, self._drift(disturbance, load)
         if key not in self._loads:
             disturbance = np.zeros((len(self.midpoints), len(self.site.ports)))
@@ -161,7 +161,10 @@ class Bench:
             if (len(self._loads) + 1) * load.nbytes > LOADS_KEPT:
                 self._loads.clear()
             self._loads[key] = disturbance, load, drift
-        return self._loads[key]
+        disturbance, load, drift = self._loads[key]
+        if into is not None:
+            into[:] = load
+        return disturbance, load, drift
 
     def _drift(self, disturbance: Array, load: Array) -> Array:
         """(steps, ports) mean velocities that port disturbances and modal load give the ports in a step."""

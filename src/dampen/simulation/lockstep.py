@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from concurrent.futures import Executor
+from functools import cached_property
 from typing import Any
 
 import numpy as np
@@ -138,13 +139,21 @@ class Lockstep:
 
     def _given(self, trial: int) -> Given:
         """What the trial brings: once for all members where it is the same for all."""
-        held = [self.bench] if self._share_a_bench else self.benches
-        disturbance, load, drift = zip(*(bench.shaking(trial) for bench in held), strict=True)
         reference, low, high = self._limited(trial)
+        if self._share_a_bench:
+            disturbance, load, drift = (part[None] for part in self.bench.shaking(trial))
+        else:
+            load = self._loads
+            own = [bench.shaking(trial, into) for bench, into in zip(self.benches, load, strict=True)]
+            disturbance, drift = (np.stack([shaken[i] for shaken in own]) for i in (0, 2))
         if np.any(reference):
-            drift = [drift[min(i, len(drift) - 1)] - np.diff(r, axis=0) / self.bench.step.dt for i, r in enumerate(reference)]
-        disturbance, load, drift = (part[0][None] if len(part) == 1 else np.stack(part) for part in (disturbance, load, drift))
+            drift = drift - np.diff(reference, axis=1) / self.bench.step.dt
         return Given(disturbance, load, drift, low, high, np.ascontiguousarray(reference[:, 0]))
+
+    @cached_property
+    def _loads(self) -> Array:
+        """(members, steps, modes), written anew for every trial."""
+        return np.zeros((self.count, self.first.steps, self.bench.modes.count))
 
     def _limited(self, trial: int) -> tuple[Array, Array, Array]:
         """Reference and limits of the error, (members or 1, steps + 1, ports)."""
