@@ -1,0 +1,1 @@
+"""Many runs: grids, robustness, tuning, on one core or many machines."""
