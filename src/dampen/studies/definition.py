@@ -87,7 +87,7 @@ class Definition:
             return ()
         from scipy.stats import qmc
 
-        points = qmc.Sobol(len(self.robust_axes), rng=np.random.default_rng([self.seed, 1])).random(self.robust_samples)
+        points = qmc.LatinHypercube(len(self.robust_axes), rng=np.random.default_rng([self.seed, 1])).random(self.robust_samples)
         return sampled(self.robust_axes, points)
 
     def generations(self) -> list[range]:

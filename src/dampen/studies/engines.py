@@ -5,12 +5,12 @@ An engine lends an executor of the standard library's kind; see `handing_out` fo
 
 from __future__ import annotations
 
-import multiprocessing
 import os
 import signal
 import threading
+import time
 from abc import ABC, abstractmethod
-from concurrent.futures import BrokenExecutor, Executor, Future, ProcessPoolExecutor, ThreadPoolExecutor
+from concurrent.futures import BrokenExecutor, Executor, Future, ThreadPoolExecutor
 from typing import Any
 
 from dampen.component import ArgumentError
@@ -57,24 +57,35 @@ class Here(Engine):
 
 
 class Cores(Engine):
-    """Processes of this machine, started afresh, each with one thread."""
+    """Processes of this machine, started afresh, each with one thread.
+
+    loky's, since they do not run the caller's script again: no `if __name__ == "__main__"` is asked of it.
+    """
 
     def __init__(self, workers: int | None = None):
-        self.workers = workers or (len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1)
+        self.workers = workers or cores()
 
     def __enter__(self) -> Cores:
-        self.pool = ProcessPoolExecutor(self.workers, multiprocessing.get_context("spawn"), initializer=_begin)
+        from loky import ProcessPoolExecutor
+
+        self.pool: Any = ProcessPoolExecutor(self.workers, initializer=_begin)
         return self
 
     def __exit__(self, *_: object) -> None:
-        self.pool.shutdown(cancel_futures=True)
+        self.pool.shutdown(kill_workers=True)
 
     def submit(self, work: Work) -> Future[list[Row]]:
-        return self.pool.submit(evaluate, work)
+        future: Future[list[Row]] = self.pool.submit(evaluate, work)
+        return future
 
     def renew(self) -> None:
-        self.pool.shutdown(wait=False, cancel_futures=True)
+        self.__exit__()
         self.__enter__()
+
+
+def cores() -> int:
+    """How many cores this process may use."""
+    return len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
 
 
 class Cluster(Engine):
@@ -85,11 +96,12 @@ class Cluster(Engine):
 
     def __enter__(self) -> Cluster:
         try:
-            from distributed import Client
+            import distributed
         except ImportError:
             raise ArgumentError("Option `--scheduler` needs dask.distributed: pip install 'dampen[cluster]'.") from None
         try:
-            self.client: Any = Client(self.address, timeout=10, set_as_default=False)
+            client: Any = distributed.Client
+            self.client: Any = client(self.address, timeout=10, set_as_default=False)
         except Exception as error:
             reason = str(error).splitlines()[0] if str(error) else type(error).__name__
             raise ArgumentError(f"Option `--scheduler` must be the address of a running scheduler: {reason}.") from None
@@ -116,11 +128,11 @@ def _begin() -> None:
     from threadpoolctl import threadpool_limits
 
     threadpool_limits(1)
-    master = multiprocessing.parent_process()
+    master = os.getppid()
 
     def end_with_master() -> None:
-        assert master is not None
-        master.join()
+        while os.getppid() == master:
+            time.sleep(0.5)
         os._exit(1)
 
     threading.Thread(target=end_with_master, daemon=True).start()

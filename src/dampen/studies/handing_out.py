@@ -43,11 +43,11 @@ def hand_out(
                 piece, begun = out.pop(future)
                 queue.took(len(piece), time.monotonic() - begun)
                 yield future.result()
-        lost = [future for future, error in errors.items() if error is not None]
-        for future in lost:
-            if not engine.lost(errors[future]):
-                raise errors[future]  # type: ignore[misc]  # an error: those without are no longer among them
-        if lost:
+        failed = [error for error in errors.values() if error is not None]
+        for error in failed:
+            if not engine.lost(error):
+                raise error
+        if failed:
             yield from suspect(out, queue, work)
             engine.renew()
 

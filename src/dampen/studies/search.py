@@ -35,7 +35,7 @@ class Search:
 
         optuna.logging.set_verbosity(optuna.logging.ERROR)
         self.definition = definition
-        directions = ["minimize"] * len(definition.objectives)
+        directions = [optuna.study.StudyDirection.MINIMIZE] * len(definition.objectives)
         self.study = optuna.create_study(directions=directions)
         self.asked: list[Any] = []
         self.study.enqueue_trial(self._start())

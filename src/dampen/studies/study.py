@@ -76,7 +76,9 @@ class Study:
         source = self._source()
         chosen = engine or (Cores() if isinstance(source, tuple) else Here())
         if not isinstance(source, tuple) and not isinstance(chosen, Here):
-            raise ArgumentError("Argument `scenario` has classes or functions that no other process can make: use the engine `Here`.")
+            raise ArgumentError(
+                "Argument `scenario` has classes or functions that no other process can make: use the engine `Here`."
+            )
         with interrupt_noted() as stopped, chosen as ready:
             for members, values, more in self._rounds():
                 table = dict(zip(members, values, strict=True))
@@ -120,7 +122,7 @@ class Study:
 
 
 def new_study(definition: Definition, folder: Path | None = None) -> Study:
-    """A study that has no rows yet. Raises ArgumentError for a folder that holds anything else than the beginnings of this one."""
+    """A study that has no rows yet. Raises ArgumentError for a folder that has anything in it."""
     if folder is not None:
         if (folder / "study.toml").exists():
             there = open_study(folder)

@@ -69,9 +69,7 @@ class Table:
         except OSError as error:
             hidden.unlink(missing_ok=True)
             kept = f"{len(self.rows)} rows are kept, and `dampen resume` goes on from them"
-            raise ArgumentError(
-                f"Study folder `{folder.parent}` cannot be written: {error.strerror or error}; {kept}."
-            ) from None
+            raise ArgumentError(f"Study folder `{folder.parent}` cannot be written: {error.strerror or error}; {kept}.") from None
 
     def _read(self, path: Path) -> list[Row]:
         from pyarrow import ArrowException, parquet
@@ -82,7 +80,7 @@ class Table:
             raise ArgumentError(f"Study part `{path}` cannot be read: {str(error).splitlines()[0]}") from None
         if (table.schema.metadata or {}).get(FINGERPRINT, b"").decode() != self.definition.fingerprint:
             raise ArgumentError(
-                f"Study folder `{path.parent.parent}` has rows of another study: its study.toml or scenario.toml has been changed."
+                f"Study folder `{path.parent.parent}` has rows of another study: study.toml or scenario.toml was changed."
             )
         rows: list[Row] = table.to_pylist()
         return rows

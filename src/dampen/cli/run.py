@@ -1,85 +1,34 @@
-"""The command line: arguments in, functions called, messages out."""
+"""`dampen run`: a scenario with and without control, its claims and its report."""
 
 from __future__ import annotations
 
-import gc
-import itertools
-import sys
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated, Any
+from typing import TYPE_CHECKING, Annotated
 
 import typer
-from rich.console import Console
-from typer.core import TyperCommand
 
+from dampen.cli.terminal import BROKE_OFF, ScenarioArgument, SetOption, err, free_folder, out, show_table, working
 from dampen.component import ArgumentError
 
-# One function a command; heavy packages are imported where they are used, so that --help is quick.
 if TYPE_CHECKING:
     from dampen.simulation.bench import Bench
     from dampen.simulation.result import Result
     from dampen.simulation.scenario import Scenario
 
-COMPLETED, BAD_INPUT, BROKE_OFF = 0, 2, 3
-
-app = typer.Typer(
-    no_args_is_help=True,
-    add_completion=False,
-    rich_markup_mode=None,
-    context_settings={"help_option_names": ["-h", "--help"]},
-    help="Design, simulate and check boundary control and iterative learning control of vibrating structures.\n\n"
-    "Begin with `dampen run he2017`: the experiment of He et al. 2017, with and without control, its figures and a verdict on "
-    "each of its claims. Then `dampen show he2017 > mine.toml`, change it, and `dampen run mine.toml`.",
-)
-out, err = Console(soft_wrap=True, highlight=False), Console(stderr=True, soft_wrap=True, highlight=False)
-
-
-class WithListing(TyperCommand):
-    """A command whose help ends with every kind and its parameters."""
-
-    def format_epilog(self, ctx: Any, formatter: Any) -> None:
-        from dampen.listing import listing
-
-        formatter.write(f"\n{listing()}\n")
-
-
-class WithOverview(TyperCommand):
-    """A command whose help ends with the names of all kinds."""
-
-    def format_epilog(self, ctx: Any, formatter: Any) -> None:
-        from dampen.listing import overview
-
-        formatter.write(f"\n{overview()}\n")
-
-
-ScenarioArgument = Annotated[str, typer.Argument(help="a shipped scenario (see `dampen list`) or the path of a TOML file")]
-
-
-@app.callback(invoke_without_command=True)
-def version(show: Annotated[bool, typer.Option("--version", help="Show the version and exit.")] = False) -> None:
-    """Only carries --version."""
-    if show:
-        from dampen.version import version as installed
-
-        out.print(f"dampen {installed()}")
-        raise typer.Exit
-
-
-@app.command(
-    cls=WithOverview,
-    help="Run a scenario with and without control; write results, figures and a report.\n\n"
+HELP = (
+    "Run a scenario with and without control; write results, figures and a report.\n\n"
     "Examples:\n\n  dampen run he2017\n\n  dampen run he2017 --set controller.alpha_8=0.5 --set task.trials=50\n\n"
     "  dampen run he2017 --set controller.compensate=false --out direct\n\n"
     "Exit status: 0 when the run completed, whatever the claims say; 2 for bad input; 3 when the run broke off, with what it "
-    "has saved.",
+    "has saved."
 )
+
+
 def run(
     scenario: ScenarioArgument,
-    set_: Annotated[
-        list[str] | None, typer.Option("--set", metavar="KEY=VALUE", help="change a value, e.g. plant.tip_mass=0.2")
-    ] = None,
+    set_: SetOption = None,
     folder: Annotated[
         Path | None, typer.Option("--out", metavar="DIR", help="where to write (default: a new folder in runs/)")
     ] = None,
@@ -113,55 +62,9 @@ def run(
         raise typer.Exit(BROKE_OFF)
 
 
-@app.command("list", cls=WithListing, help="List the shipped scenarios, and every kind with its parameters, units and defaults.")
-def list_(
-    kind: Annotated[str | None, typer.Argument(help="a kind, such as backlash, or a table, such as plant; left out: all")] = None,
-) -> None:
-    """`dampen list`."""
-    from dampen.listing import listing
-
-    out.print(listing(kind), markup=False)
-
-
-@app.command(help="Print a scenario file, to copy: `dampen show he2017 > mine.toml`.")
-def show(scenario: ScenarioArgument) -> None:
-    """`dampen show`."""
-    from dampen.scenarios.read import source_text
-
-    sys.stdout.write(source_text(scenario))
-
-
-def main() -> None:
-    """Entry point: bad input is one clear line and exit status 2."""
-    gc.set_threshold(200_000)  # a command makes many objects and few cycles: a tenth of its time
-    try:
-        status = app(standalone_mode=False) or COMPLETED
-    except ArgumentError as error:
-        status = complain(error.lines)
-    except (typer.Abort, KeyboardInterrupt):
-        status = BROKE_OFF
-    except BrokenPipeError:
-        sys.stderr.close()
-        status = COMPLETED
-    except Exception as error:
-        if not hasattr(error, "format_message"):  # usage errors, whose class typer keeps to itself
-            raise
-        status = complain([error.format_message()])
-    sys.exit(status)
-
-
-def complain(lines: list[str]) -> int:
-    """One line for every fault."""
-    for line in lines:
-        err.print(line, markup=False)
-    return BAD_INPUT
-
-
 def make_folder(folder: Path | None, name: str) -> Path:
-    """The output folder: the one asked for, or the first of runs/NAME, runs/NAME-2, ... that does not exist yet."""
-    if folder is None:
-        candidates = (Path("runs") / (name if number == 1 else f"{name}-{number}") for number in itertools.count(1))
-        folder = next(path for path in candidates if not path.exists())
+    """The output folder, made ready: what an earlier run has left there goes."""
+    folder = free_folder(folder, name)
     if (folder / "scenario.toml").exists() and not (folder / "result.nc").exists():
         raise ArgumentError(f"Output folder `{folder}` must be another one: it holds a scenario.toml that no run has left there.")
     try:
@@ -229,20 +132,8 @@ def trial_bar(total: int) -> Iterator[Callable[[int, int], None]]:
         yield lambda done, trials: bar.advance(task)
 
 
-@contextmanager
-def working(what: str) -> Iterator[None]:
-    """A line while something takes a while; quiet in a pipe."""
-    if err.is_terminal:
-        with err.status(f"{what} ..."):
-            yield
-    else:
-        yield
-
-
 def show_outcome(result: Result, claims: list, note: str, folder: Path) -> None:  # type: ignore[type-arg]
     """One table, one sentence of verdict, and where everything is."""
-    from rich import box
-    from rich.table import Table
     from rich.text import Text
 
     from dampen.analysis.claims import verdict_sentence
@@ -252,13 +143,9 @@ def show_outcome(result: Result, claims: list, note: str, folder: Path) -> None:
             f"The run broke off ({result.status}) after {result.trials} of {result.scenario.task.trials} trials.", markup=False
         )
     if claims:
-        table = Table(box=box.SIMPLE_HEAD, pad_edge=False)
-        for heading in ("", "Claim", "Measured", "Verdict"):
-            table.add_column(heading, overflow="fold")
         colours = {"PASS": "green", "FAIL": "bold red", "n/a": "dim"}
-        for claim in claims:
-            table.add_row(claim.id, claim.statement, claim.measured, Text(claim.verdict, colours[claim.verdict]))
-        Console(highlight=False, width=None if out.is_terminal else 140).print(table)
+        rows = [(c.id, c.statement, c.measured, Text(c.verdict, colours[c.verdict])) for c in claims]
+        show_table(("", "Claim", "Measured", "Verdict"), rows)
         out.print(verdict_sentence(claims), markup=False)
     if note:
         out.print(note, style="dim", markup=False)
@@ -268,19 +155,8 @@ def show_outcome(result: Result, claims: list, note: str, folder: Path) -> None:
 
 def show_costs(result: Result, continuous: Result) -> None:
     """What sampling costs, as a small table."""
-    from rich import box
-    from rich.table import Table
-
     from dampen.analysis.sampling_cost import sampling_cost
     from dampen.report.facts import cost_row
 
-    table = Table(box=box.SIMPLE_HEAD, pad_edge=False)
-    for heading in ("What sampling costs", "at", "continuous", "sampled", "ratio"):
-        table.add_column(heading, justify="left" if heading in ("What sampling costs", "at") else "right")
-    for cost in sampling_cost(result, continuous):
-        table.add_row(*cost_row(cost))
-    Console(highlight=False, width=None if out.is_terminal else 140).print(table)
-
-
-if __name__ == "__main__":
-    main()
+    headings = ("What sampling costs", "at", "continuous", "sampled", "ratio")
+    show_table(headings, [cost_row(cost) for cost in sampling_cost(result, continuous)], headings[2:])

@@ -1,0 +1,78 @@
+"""The command line: arguments in, functions called, messages out."""
+
+from __future__ import annotations
+
+import gc
+import sys
+from typing import Annotated
+
+import typer
+
+from dampen.cli import run, studies
+from dampen.cli.terminal import BROKE_OFF, COMPLETED, ScenarioArgument, WithListing, WithOverview, complain, out
+from dampen.component import ArgumentError
+
+# One function a command; heavy packages are imported where they are used, so that --help is quick.
+app = typer.Typer(
+    no_args_is_help=True,
+    add_completion=False,
+    rich_markup_mode=None,
+    context_settings={"help_option_names": ["-h", "--help"]},
+    help="Design, simulate, check and tune boundary control and iterative learning control of vibrating structures.\n\n"
+    "Begin with `dampen run he2017`: the experiment of He et al. 2017, with and without control, its figures and a verdict on "
+    "each of its claims. Then `dampen show he2017 > mine.toml`, change it, and `dampen run mine.toml`.\n\n"
+    "One run proves little: `dampen sweep`, `robust` and `tune` make thousands.",
+)
+app.command(cls=WithOverview, help=run.HELP)(run.run)
+app.command(help=studies.SWEEP_HELP)(studies.sweep)
+app.command(help=studies.ROBUST_HELP)(studies.robust)
+app.command(help=studies.TUNE_HELP)(studies.tune)
+app.command(help=studies.RESUME_HELP)(studies.resume)
+app.command(help=studies.PLOT_HELP)(studies.plot)
+
+
+@app.callback(invoke_without_command=True)
+def version(show: Annotated[bool, typer.Option("--version", help="Show the version and exit.")] = False) -> None:
+    """Only carries --version."""
+    if show:
+        from dampen.version import version as installed
+
+        out.print(f"dampen {installed()}")
+        raise typer.Exit
+
+
+@app.command("list", cls=WithListing, help="List the shipped scenarios, and every kind with its parameters, units and defaults.")
+def list_(
+    kind: Annotated[str | None, typer.Argument(help="a kind, such as backlash, or a table, such as plant; left out: all")] = None,
+) -> None:
+    """`dampen list`."""
+    from dampen.listing import listing
+
+    out.print(listing(kind), markup=False)
+
+
+@app.command(help="Print a scenario file, to copy: `dampen show he2017 > mine.toml`.")
+def show(scenario: ScenarioArgument) -> None:
+    """`dampen show`."""
+    from dampen.scenarios.read import source_text
+
+    sys.stdout.write(source_text(scenario))
+
+
+def main() -> None:
+    """Entry point: bad input is one clear line and exit status 2."""
+    gc.set_threshold(200_000)  # a command makes many objects and few cycles: a tenth of its time
+    try:
+        status = app(standalone_mode=False) or COMPLETED
+    except ArgumentError as error:
+        status = complain(error.lines)
+    except (typer.Abort, KeyboardInterrupt):
+        status = BROKE_OFF
+    except BrokenPipeError:
+        sys.stderr.close()
+        status = COMPLETED
+    except Exception as error:
+        if not hasattr(error, "format_message"):  # usage errors, whose class typer keeps to itself
+            raise
+        status = complain([error.format_message()])
+    sys.exit(status)

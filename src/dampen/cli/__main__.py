@@ -1,0 +1,5 @@
+"""`python -m dampen.cli`."""
+
+from dampen.cli import main
+
+main()

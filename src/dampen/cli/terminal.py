@@ -1,0 +1,79 @@
+"""What commands share of the terminal: two consoles, help that lists kinds, tables, and a line while something takes a while."""
+
+from __future__ import annotations
+
+import itertools
+from collections.abc import Iterator, Sequence
+from contextlib import contextmanager
+from pathlib import Path
+from typing import Annotated, Any
+
+import typer
+from rich.console import Console
+from typer.core import TyperCommand
+
+COMPLETED, BAD_INPUT, BROKE_OFF = 0, 2, 3
+
+out, err = Console(soft_wrap=True, highlight=False), Console(stderr=True, soft_wrap=True, highlight=False)
+
+
+class WithListing(TyperCommand):
+    """A command whose help ends with every kind and its parameters."""
+
+    def format_epilog(self, ctx: Any, formatter: Any) -> None:
+        from dampen.listing import listing
+
+        formatter.write(f"\n{listing()}\n")
+
+
+class WithOverview(TyperCommand):
+    """A command whose help ends with the names of all kinds."""
+
+    def format_epilog(self, ctx: Any, formatter: Any) -> None:
+        from dampen.listing import overview
+
+        formatter.write(f"\n{overview()}\n")
+
+
+ScenarioArgument = Annotated[str, typer.Argument(help="a shipped scenario (see `dampen list`) or the path of a TOML file")]
+SetOption = Annotated[
+    list[str] | None, typer.Option("--set", metavar="KEY=VALUE", help="change a value, e.g. plant.tip_mass=0.2")
+]
+
+
+def complain(lines: list[str]) -> int:
+    """One line for every fault."""
+    for line in lines:
+        err.print(line, markup=False)
+    return BAD_INPUT
+
+
+def free_folder(folder: Path | None, name: str) -> Path:
+    """The folder asked for, or the first of runs/NAME, runs/NAME-2, ... that does not exist yet."""
+    if folder is not None:
+        return folder
+    candidates = (Path("runs") / (name if number == 1 else f"{name}-{number}") for number in itertools.count(1))
+    return next(path for path in candidates if not path.exists())
+
+
+@contextmanager
+def working(what: str) -> Iterator[None]:
+    """A line while something takes a while; quiet in a pipe."""
+    if err.is_terminal:
+        with err.status(f"{what} ..."):
+            yield
+    else:
+        yield
+
+
+def show_table(headings: Sequence[str], rows: Sequence[Sequence[Any]], numbers: Sequence[str] = ()) -> None:
+    """A table; columns in `numbers` are set to the right."""
+    from rich import box
+    from rich.table import Table
+
+    table = Table(box=box.SIMPLE_HEAD, pad_edge=False)
+    for heading in headings:
+        table.add_column(heading, justify="right" if heading in numbers else "left", overflow="fold")
+    for row in rows:
+        table.add_row(*row)
+    Console(highlight=False, width=None if out.is_terminal else 140).print(table)

@@ -1,0 +1,51 @@
+"""What a tuning has found: its best candidates, and the scenarios that they make."""
+
+from __future__ import annotations
+
+import re
+from dataclasses import replace
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from dampen.analysis.merits import merit
+from dampen.component import ArgumentError
+from dampen.simulation.scenario import Scenario
+from dampen.studies.search import feasible
+from dampen.studies.variation import member
+from dampen.toml import to_toml
+
+if TYPE_CHECKING:
+    from dampen.studies.study import Study
+
+
+def best_row(study: Study, objective: str) -> dict[str, Any] | None:
+    """The row of the member that keeps the constraint and is best in one figure of merit; None: no member keeps it."""
+    sign = -1 if merit(objective).better == "high" else 1
+    rows = [row for row in study.rows.rows if feasible(row)]
+    return min(rows, key=lambda row: (sign * row[objective], row["member"]), default=None)
+
+
+def best_scenario(study: Study, objective: str | None = None) -> Scenario:
+    """The scenario of the best member, in the study's first objective unless told. Raises ArgumentError where there is none."""
+    definition = study.definition
+    row = best_row(study, objective or (*definition.objectives, "peak")[0])
+    if row is None:
+        raise ArgumentError("This study has no member yet that keeps the constraint.")
+    found = member(definition.scenario, definition.axes, row)
+    return replace(found, name=f"{found.name}-tuned"[:60] if definition.kind == "tune" else found.name)
+
+
+def write_best(study: Study) -> list[Path]:
+    """Write the best scenario of a tuning beside its table, one for each objective; returns the paths."""
+    if study.definition.kind != "tune" or study.folder is None:
+        return []
+    several, paths = len(study.definition.objectives) > 1, []
+    for objective in study.definition.objectives:
+        row = best_row(study, objective)
+        if row is None:
+            continue
+        path = study.folder / (f"best-{re.sub(r'[^\w.-]', '_', objective)}.toml" if several else "best.toml")
+        about = f"# Member {row['member']} of a tuning for {objective}, which is {row[objective]:.4g} there. See study.toml beside it.\n"
+        path.write_text(about + to_toml(best_scenario(study, objective)), encoding="utf-8")
+        paths.append(path)
+    return paths

@@ -1,0 +1,154 @@
+"""Batches: members side by side give what single runs give, bit for bit, and keep nothing but figures."""
+
+from __future__ import annotations
+
+import subprocess
+import sys
+from dataclasses import replace
+from typing import Any
+
+import numpy as np
+import pytest
+
+import dampen
+from dampen.analysis.merits import LATE, columns, merits
+from dampen.analysis.metrics import error_peaks, largest
+from dampen.analysis.sampling_cost import chatter, effort, margin
+from dampen.simulation.batch import Batch, Tally, alone
+from dampen.simulation.bench import Bench
+from dampen.simulation.lockstep import Lockstep, in_step
+from dampen.simulation.passes import passes
+from dampen.simulation.tally import PEAK
+from tests.conftest import READINGS, scenario
+from tests.test_contract import EXAMPLES, case
+
+SHORT = ("task.trials=4", "numerics.modes=20", "numerics.step=0.002", "disturbance.base_frequency=0.5")
+
+
+def varied(nominal: dampen.Scenario, count: int = 5) -> list[dampen.Scenario]:
+    """Members that differ in gains, actuators, constraint and plant."""
+    law: Any = nominal.controller
+    plant: Any = nominal.plant
+    members = [replace(nominal, controller=replace(law, alpha_4=0.3 * k + 0.2, alpha_9=0.05 * k + 0.01)) for k in range(count)]
+    members.append(replace(nominal, actuators={p: (dampen.Backlash(0.3, 0.15, -0.1),) for p in nominal.ports}))
+    members.append(replace(nominal, task=replace(nominal.task, constraint={"tip_w": (-0.19, 0.25), "tip_phi": 0.2})))
+    members += [replace(nominal, plant=replace(plant, tip_mass=m, bending_stiffness=e)) for m, e in ((0.08, 40.0), (0.12, 31.0))]
+    return members
+
+
+def outcome(batch: Batch, member: dampen.Scenario) -> Tally:
+    (found,) = batch.run([member])
+    assert isinstance(found, Tally)
+    return found
+
+
+@pytest.mark.parametrize("reading", READINGS)
+@pytest.mark.parametrize("threads", [1, 2])
+def test_members_equal_single_runs_bit_for_bit(reading: str, threads: int) -> None:
+    nominal = scenario(READINGS[reading], *SHORT)
+    batch, members = Batch(nominal), varied(nominal)
+    for member, found in zip(members, batch.run(members, threads), strict=True):
+        assert isinstance(found, Tally)
+        single = alone(member, batch.bench_of(member))
+        np.testing.assert_array_equal(found.by_port, single.by_port)
+        np.testing.assert_array_equal(found.whole, single.whole)
+        assert found.status == single.status == "complete"
+
+
+def test_what_a_member_learns_equals_a_single_run_bit_for_bit() -> None:
+    nominal = scenario(*SHORT)
+    bench = Bench(nominal)
+    members = Lockstep([nominal, *varied(nominal, 2)[:2]], [bench] * 3)
+    for p, _ in zip(passes(nominal, bench), members.trials(None), strict=True):  # type: ignore[arg-type]  # one thread
+        np.testing.assert_array_equal(members.members.learned_feedforward[0], p.memory["zeta"])
+        np.testing.assert_array_equal(members.members.learned_coulomb[0], p.memory["d_hat"])
+
+
+@pytest.mark.parametrize(
+    "name", ["he2017", "he2017-sampled", "he2017-hysteresis", "euler-bernoulli-payload", "string-tip-mass", "flexible-arm-point-to-point"]
+)
+def test_figures_are_those_of_the_analysis(name: str) -> None:
+    nominal = dampen.read_scenario(name, ["task.trials=6"])
+    found = merits(outcome(Batch(nominal), nominal))
+    result = dampen.simulate(nominal)
+    assert list(found) == columns(nominal)
+    for port in nominal.ports:
+        peaks = error_peaks(result, port)
+        expected = {"peak": peaks[-LATE:].max(), "largest": peaks.max(), "effort": effort(result, port)}
+        expected |= {"chatter": chatter(result, port)}
+        if port in nominal.task.constraint:
+            expected["margin"] = margin(result, port)
+        p = nominal.ports.index(port)
+        expected["stuck"] = float(np.mean(np.asarray(result["v"])[:, :, p] == 0))
+        for figure, value in expected.items():
+            assert found[f"{figure}.{port}"] == pytest.approx(value, rel=1e-9, abs=1e-13), (figure, port)
+    assert found["energy"] == pytest.approx(np.mean(result["energy"][-LATE:]), rel=1e-12)
+
+
+@pytest.mark.parametrize("kind", sorted(EXAMPLES["controller"]))
+def test_every_controller_can_be_a_member(kind: str) -> None:
+    nominal = case("controller", kind, trials=3)
+    found, result = outcome(Batch(nominal), nominal), dampen.simulate(nominal)
+    p = 0
+    error = np.asarray(result["y"])[:, :, p]
+    np.testing.assert_allclose(found.by_port[:, p, PEAK], np.abs(error).max(axis=1), rtol=1e-12)
+
+
+def test_members_of_a_batch_start_anew_where_trials_are_reset() -> None:
+    nominal = scenario(*SHORT, "task.start=reset", "task.reset_error={tip_w=0.001}")
+    found, result = outcome(Batch(nominal), nominal), dampen.simulate(nominal)
+    np.testing.assert_allclose(found.by_port[:, 0, PEAK], largest(result, "y", "tip_w"), rtol=1e-12)
+
+
+def test_a_member_that_cannot_be_run_spoils_no_other() -> None:
+    nominal = scenario(*SHORT)
+    plant: Any = nominal.plant
+    few = replace(nominal, numerics=replace(nominal.numerics, modes=1))
+    heavy = replace(nominal, plant=replace(plant, tip_mass=0.2))
+    first, refused, last = Batch(nominal).run([nominal, few, heavy])
+    assert isinstance(refused, dampen.ArgumentError)
+    assert "`numerics.modes`" in refused.lines[0]
+    assert isinstance(first, Tally)
+    assert isinstance(last, Tally)
+
+
+def test_a_motion_that_diverges_is_an_outcome() -> None:
+    nominal = dampen.read_scenario(
+        "assembled-from-fe", ["plant.damping.ratio=0.0", "controller.modes=2", "actuator.all.chain=[]", "task.trials=40"]
+    )
+    assert not in_step(nominal)
+    found = outcome(Batch(nominal), nominal)
+    assert found.status in ("diverged", "constraint_lost")
+    figures = merits(found)
+    assert figures["margin"] < 0
+    assert np.isnan(figures["peak"]) == (found.status == "diverged")
+
+
+def test_a_lost_constraint_is_a_status() -> None:
+    nominal = scenario(*SHORT, "controller.kind=none")
+    found = outcome(Batch(nominal), nominal)
+    assert found.status == "constraint_lost"
+    assert merits(found)["margin"] < 0
+
+
+def test_memory_does_not_grow_with_trials_nor_with_members() -> None:
+    """Peak memory of its own process for 20 and for 400 members, and for ten times the trials."""
+    code = """
+import resource, sys
+import dampen
+from dampen.simulation.batch import Batch
+members, trials = int(sys.argv[1]), int(sys.argv[2])
+case = dampen.read_scenario("he2017", [f"task.trials={trials}", "numerics.modes=16", "task.trial_duration=0.5", "disturbance.frozen_at=0"])
+batch = Batch(case)
+for _ in range(members // 20):
+    batch.run([case] * 20)
+print(resource.getrusage(resource.RUSAGE_SELF).ru_maxrss / 1024)
+"""
+
+    def peak(members: int, trials: int) -> float:
+        done = subprocess.run([sys.executable, "-c", code, str(members), str(trials)], capture_output=True, text=True, check=True)
+        return float(done.stdout)
+
+    few = peak(20, 10)
+    assert peak(400, 10) < few + 20
+    assert peak(20, 100) < few + 20
