@@ -65,7 +65,15 @@ def test_what_a_member_learns_equals_a_single_run_bit_for_bit() -> None:
 
 
 @pytest.mark.parametrize(
-    "name", ["he2017", "he2017-sampled", "he2017-hysteresis", "euler-bernoulli-payload", "string-tip-mass", "flexible-arm-point-to-point"]
+    "name",
+    [
+        "he2017",
+        "he2017-sampled",
+        "he2017-hysteresis",
+        "euler-bernoulli-payload",
+        "string-tip-mass",
+        "flexible-arm-point-to-point",
+    ],
 )
 def test_figures_are_those_of_the_analysis(name: str) -> None:
     nominal = dampen.read_scenario(name, ["task.trials=6"])

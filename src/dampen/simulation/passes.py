@@ -45,9 +45,7 @@ def passes(scenario: Scenario, bench: Bench, compile: bool = True) -> Iterator[P
     setting, controller, every = setting_of(scenario, bench=bench), scenario.controller, scenario.output.every
     sampler = sampler_of(scenario, setting) if scenario.sampled else idle(len(chains))
     check_sampled(controller, setting)
-    with blame(controller, "begin"):
-        memory = controller.begin(setting)
-    check_memory(controller, memory, memory)
+    memory = begun(controller, setting)
     record = empty_record(scenario.steps, len(chains), bench.modes.count, every)
     for j in range(scenario.task.trials):
         if j == 0 or scenario.task.start == "reset":
@@ -66,6 +64,14 @@ def passes(scenario: Scenario, bench: Bench, compile: bool = True) -> Iterator[P
             before, memory = memory, controller.learn(memory, seen(j, scenario, record, sampler), setting)
         check_memory(controller, before, memory)
         yield Pass(j, setting, inputs, record, ports, sampler, memory, done)
+
+
+def begun(controller: Controller, setting: Setting) -> Mapping[str, Array]:
+    """The controller's memory before trial 0, checked."""
+    with blame(controller, "begin"):
+        memory = controller.begin(setting)
+    check_memory(controller, memory, memory)
+    return memory
 
 
 def law_of(scenario: Scenario, memory: Mapping[str, Array], setting: Setting) -> PortLaw:

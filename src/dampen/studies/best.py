@@ -44,7 +44,8 @@ def write_best(study: Study) -> list[Path]:
         row = best_row(study, objective)
         if row is None:
             continue
-        path = study.folder / (f"best-{re.sub(r'[^\w.-]', '_', objective)}.toml" if several else "best.toml")
+        plain = re.sub(r"[^\w.-]", "_", objective)
+        path = study.folder / (f"best-{plain}.toml" if several else "best.toml")
         about = f"# Member {row['member']} of a tuning for {objective}, which is {row[objective]:.4g} there. See study.toml beside it.\n"
         path.write_text(about + to_toml(best_scenario(study, objective)), encoding="utf-8")
         paths.append(path)

@@ -122,12 +122,8 @@ class Cluster(Engine):
 
 
 def _begin() -> None:
-    """A worker's first act: leave Ctrl-C to its master, one thread for linear algebra, and an end when the master ends."""
+    """A worker's first act: leave Ctrl-C to its master, and end when the master ends, however that ends."""
     signal.signal(signal.SIGINT, signal.SIG_IGN)
-    import scipy.linalg  # noqa: F401  (loaded first, so that the limit reaches its BLAS too)
-    from threadpoolctl import threadpool_limits
-
-    threadpool_limits(1)
     master = os.getppid()
 
     def end_with_master() -> None:

@@ -48,6 +48,14 @@ class Work:
 
 def evaluate(work: Work) -> list[Row]:
     """The rows of all members. A member that cannot be run is a row that says why."""
+    import scipy.linalg  # noqa: F401  (loaded first, so that the limit reaches its BLAS too)
+    from threadpoolctl import threadpool_limits
+
+    with threadpool_limits(1):  # members are many enough; and sums come out alike wherever they are taken
+        return _evaluate(work)
+
+
+def _evaluate(work: Work) -> list[Row]:
     batch = batch_of(work)
     axes, over = (*work.axes, *work.over_axes), work.over or ({},)
     made = [attempt(batch.nominal, axes, {**values, **more}) for values in work.values for more in over]
@@ -55,7 +63,7 @@ def evaluate(work: Work) -> list[Row]:
         outcomes = run(batch, made, work.threads)
     except Exception as error:
         if len(work.members) > 1:
-            return [row for part in work.parts for row in evaluate(part)]
+            return [row for part in work.parts for row in _evaluate(part)]
         outcomes = [ArgumentError(f"{type(error).__name__}: {error}")] * len(made)
         return [{**gathered(batch.nominal, outcomes), "member": work.members[0], **work.values[0], "status": "crashed"}]
     groups = [outcomes[i : i + len(over)] for i in range(0, len(outcomes), len(over))]
