@@ -26,7 +26,7 @@ from dampen.simulation.scenario import Scenario
 from dampen.simulation.tally import BY_PORT, SHARE, STEPS, WHOLE, tally
 
 Array = np.ndarray
-CHUNK = 32  # members at a time and thread: their loads and memories are some tens of MiB
+CHUNK = 64  # members at a time and thread: their loads and memories are some tens of MiB
 SHARED = ("trials", "trial_duration", "start", "reset_error", "seed")  # of a task, what a bench relies on
 
 

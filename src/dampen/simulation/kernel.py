@@ -57,24 +57,25 @@ STAGE = np.dtype(
 # All modes in one record of fixed size: the compiler then knows that its rows do not overlap, and the loop over modes runs in
 # vector instructions without a check. Rows are an odd number of cache lines long, so that they do not compete for one place
 # in the cache. q+ = c11 q + c12 q' + psi a and q'+ = c22 q' + c12 (a - omega2 q) is the exact solution over one step of length
-# dt under a held modal force a (c22 = c11 without damping). b0, b1: port vectors of the first two ports, and v_q0, v_rate0,
-# v_q1, v_rate1: their rows of `Step`; zero where there is no such port. The losses make the energy that damping takes in a
-# step, a quadratic form in q, q' and a.
+# dt under a held modal force a (c22 = c11 without damping). b0, b1: port vectors of the first two ports, zero where there is no
+# such port. The losses make the energy that damping takes in a step, a quadratic form in q, q' and a. Without a force a mode
+# would go by `free` = q+ - q = c12 q' - psi omega2 q: a port's mean velocity in the step is their sum, weighted with b, over dt.
 _LOSSES = ("loss_qq", "loss_qr", "loss_rr", "loss_qa", "loss_ra", "loss_aa")
-COEFFICIENTS = ("c11", "c12", "c22", "psi", "omega2", "b0", "b1", "v_q0", "v_rate0", "v_q1", "v_rate1", *_LOSSES)
-MODAL = np.dtype([*((row, *_ROW) for row in ("q", "rate", "a", *COEFFICIENTS)), ("count", int), ("v0", float), ("v1", float)])
+COEFFICIENTS = ("c11", "c12", "c22", "psi", "omega2", "b0", "b1", *_LOSSES)
+MODAL = np.dtype(
+    [*((row, *_ROW) for row in ("q", "rate", "a", "free", *COEFFICIENTS)), ("count", int), ("free0", float), ("free1", float)]
+)
 
 
 class Step(NamedTuple):
-    """What the ports see of a step of length dt: their mean velocity is v_q q + v_rate q' + G F under port forces F.
+    """What the ports see of a step of length dt: their mean velocity is v_free + G F under port forces F.
 
-    `b`, `v_q`, `v_rate` are (ports, modes), `g` is (ports, ports), `coupling` a scratch copy of it.
+    `b` (ports, modes): port vectors, `g` (ports, ports), `coupling` a scratch copy of it.
     """
 
     dt: float
+    per_dt: float
     b: Array
-    v_q: Array
-    v_rate: Array
     g: Array
     coupling: Array
 
@@ -152,7 +153,7 @@ def start(m, step, inputs, ports, record):
         total += m.rate[i] * m.rate[i] + m.omega2[i] * m.q[i] * m.q[i]
         record.q[0, i] = m.q[i]
     record.energy[0] = 0.5 * total
-    two_velocities(m)
+    begin_freely(m)
     for p in range(PORTS):
         port = ports[p]
         port.y = 0.0
@@ -175,31 +176,32 @@ def free_motion(k, m, step, inputs, ports):
     """How fast the ports go under all that is known as the step begins, and how far they may."""
     for p in range(PORTS):
         port = ports[p]
-        v = m.v0 if p == 0 else m.v1 if p == 1 else one_velocity(m, step.v_q[p], step.v_rate[p])
-        port.v_free = v + inputs.drift[k, p]
+        free = m.free0 if p == 0 else m.free1 if p == 1 else weighted(m, step.b[p])
+        port.v_free = free * step.per_dt + inputs.drift[k, p]
         if inputs.low[k, p] != port.low or inputs.high[k, p] != port.high:
             port.low, port.high = inputs.low[k, p], inputs.high[k, p]
             port.memo = fresh_memo(port.y, port.low, port.high)
 
 
 @reassociated
-def one_velocity(m, q_row, rate_row):
-    """v_q q + v_rate q' of a port beyond the second."""
-    n, v = m.count, 0.0
+def weighted(m, row):
+    """How far a port beyond the second would go without forces."""
+    n, far = m.count, 0.0
     for i in range(n):
-        v += q_row[i] * m.q[i] + rate_row[i] * m.rate[i]
-    return v
+        far += row[i] * m.free[i]
+    return far
 
 
 @reassociated
-def two_velocities(m):
-    """v_q q + v_rate q' of the first two ports."""
-    n, v0, v1 = m.count, 0.0, 0.0
+def begin_freely(m):
+    """How far modes and ports would go in the first step without forces."""
+    n, far0, far1 = m.count, 0.0, 0.0
     for i in range(n):
-        q, rate = m.q[i], m.rate[i]
-        v0 += m.v_q0[i] * q + m.v_rate0[i] * rate
-        v1 += m.v_q1[i] * q + m.v_rate1[i] * rate
-    m.v0, m.v1 = v0, v1
+        free = m.c12[i] * m.rate[i] - m.psi[i] * (m.omega2[i] * m.q[i])
+        m.free[i] = free
+        far0 += m.b0[i] * free
+        far1 += m.b1[i] * free
+    m.free0, m.free1 = far0, far1
 
 
 def apply(k, m, step, inputs, ports):
@@ -219,27 +221,32 @@ def apply(k, m, step, inputs, ports):
 
 @reassociated
 def move(m, load, first, second):
-    """The loop over modes, with the velocities of the first two ports in the next step; `a` holds the modal forces of all
-    ports beyond the second."""
-    work, energy, lost, v0, v1 = 0.0, 0.0, 0.0, 0.0, 0.0
+    """The loop over modes, which also finds how far they would go in the next step without forces; `a` holds the modal forces of
+    all ports beyond the second."""
+    work, energy, lost, far0, far1 = 0.0, 0.0, 0.0, 0.0, 0.0
     n = m.count
     for i in range(n):
-        a = load[i] + first * m.b0[i] + second * m.b1[i]
+        b0, b1 = m.b0[i], m.b1[i]
+        a = load[i] + first * b0 + second * b1
         if PORTS > 2:
             a += m.a[i]
-        q, rate, c11, c12 = m.q[i], m.rate[i], m.c11[i], m.c12[i]
-        q_new = c11 * q + c12 * rate + m.psi[i] * a
-        rate_new = (m.c22[i] if DAMPED else c11) * rate + c12 * (a - m.omega2[i] * q)
+        q, rate, c11, c12, psi, omega2 = m.q[i], m.rate[i], m.c11[i], m.c12[i], m.psi[i], m.omega2[i]
+        q_new = c11 * q + c12 * rate + psi * a
+        rate_new = (m.c22[i] if DAMPED else c11) * rate + c12 * (a - omega2 * q)
         work += load[i] * (q_new - q)
         if DAMPED:
             lost += (m.loss_qq[i] * q + m.loss_qr[i] * rate + m.loss_qa[i] * a) * q
             lost += (m.loss_rr[i] * rate + m.loss_ra[i] * a) * rate + m.loss_aa[i] * a * a
-        energy += m.omega2[i] * q_new * q_new + rate_new * rate_new
-        v0 += m.v_q0[i] * q_new + m.v_rate0[i] * rate_new
-        v1 += m.v_q1[i] * q_new + m.v_rate1[i] * rate_new
+        pull = omega2 * q_new
+        energy += pull * q_new + rate_new * rate_new
+        free = c12 * rate_new - psi * pull
+        if PORTS > 2:
+            m.free[i] = free
+        far0 += b0 * free
+        far1 += b1 * free
         m.q[i] = q_new
         m.rate[i] = rate_new
-    m.v0, m.v1 = v0, v1
+    m.free0, m.free1 = far0, far1
     return work, 0.5 * energy, lost
 
 

@@ -85,8 +85,6 @@ class Lockstep:
         return Members(
             coefficients=np.stack([coefficients(bench) for bench in held]),
             b=np.stack([bench.step.b for bench in held]),
-            v_q=np.stack([bench.step.v_q for bench in held]),
-            v_rate=np.stack([bench.step.v_rate for bench in held]),
             g=np.stack([bench.step.g for bench in held]),
             q=np.zeros((m, modes)),
             rate=np.zeros((m, modes)),
@@ -113,7 +111,7 @@ class Lockstep:
     def _desk(self) -> Desk:
         bench, steps = self.bench, self.first.steps
         rest = np.zeros(bench.modes.count)
-        step = Step(bench.step.dt, *map(aligned, bench.step[1:]))
+        step = Step(bench.step.dt, bench.step.per_dt, *map(aligned, bench.step[2:]))
         record = empty_record(steps, self.ports, bench.modes.count, steps)
         modal = modal_record(bench.modes, bench.motion, step, rest, rest)
         return Desk(modal, step, record, np.zeros((steps, self.ports)), np.zeros((steps, self.ports)))

@@ -21,16 +21,14 @@ LEARNS = False  # bound before use: whether the law learns from trial to trial, 
 class Members(NamedTuple):
     """What belongs to the members from trial to trial.
 
-    coefficients (., COEFFICIENTS, modes): rows of the modal record.   b, v_q, v_rate (., ports, modes), g (., ports, ports): of
-    the step.   q, rate (., modes).   ports, stages: records, a row a member.   feedforward, coulomb (., steps, ports): the law
+    coefficients (., COEFFICIENTS, modes): rows of the modal record.   b (., ports, modes), g (., ports, ports): of the
+    step.   q, rate (., modes).   ports, stages: records, a row a member.   feedforward, coulomb (., steps, ports): the law
     without what is learned, which is in learned_feedforward and learned_coulomb.   row (., ports, numbers): for `relearn`.
     before (., ports): last commands.   alive (.,): 0 once a motion has stopped being finite.
     """
 
     coefficients: Array
     b: Array
-    v_q: Array
-    v_rate: Array
     g: Array
     q: Array
     rate: Array
@@ -108,12 +106,10 @@ def take(i, members, desk):
     for k in range(m.count):
         m.q[k], m.rate[k] = members.q[i, k], members.rate[i, k]
         m.c11[k], m.c12[k], m.c22[k], m.psi[k], m.omega2[k] = c[0, k], c[1, k], c[2, k], c[3, k], c[4, k]
-        m.b0[k], m.b1[k], m.v_q0[k], m.v_rate0[k], m.v_q1[k], m.v_rate1[k] = c[5, k], c[6, k], c[7, k], c[8, k], c[9, k], c[10, k]
-        m.loss_qq[k], m.loss_qr[k], m.loss_rr[k] = c[11, k], c[12, k], c[13, k]
-        m.loss_qa[k], m.loss_ra[k], m.loss_aa[k] = c[14, k], c[15, k], c[16, k]
+        m.b0[k], m.b1[k] = c[5, k], c[6, k]
+        m.loss_qq[k], m.loss_qr[k], m.loss_rr[k] = c[7, k], c[8, k], c[9, k]
+        m.loss_qa[k], m.loss_ra[k], m.loss_aa[k] = c[10, k], c[11, k], c[12, k]
     copy(step.b, members.b[shared])
-    copy(step.v_q, members.v_q[shared])
-    copy(step.v_rate, members.v_rate[shared])
     copy(step.g, members.g[shared])
     learner = row_of(members.learned_coulomb, i)
     put(desk.feedforward, members.feedforward[i], members.learned_feedforward[learner])
