@@ -146,7 +146,8 @@ import resource, sys
 import dampen
 from dampen.simulation.batch import Batch
 members, trials = int(sys.argv[1]), int(sys.argv[2])
-case = dampen.read_scenario("he2017", [f"task.trials={trials}", "numerics.modes=16", "task.trial_duration=0.5", "disturbance.frozen_at=0"])
+settings = ["numerics.modes=16", "task.trial_duration=0.5", "disturbance.frozen_at=0"]
+case = dampen.read_scenario("he2017", [f"task.trials={trials}", *settings])
 batch = Batch(case)
 for _ in range(members // 20):
     batch.run([case] * 20)

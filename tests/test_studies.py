@@ -64,6 +64,7 @@ def test_ranges_are_read(option: Option, text: str) -> None:
     assert axis.name == text.partition("=")[0]
 
 
+VARY = "Option `--vary controller.alpha_4`"
 BAD: dict[tuple[Option, str], str] = {
     ("vary", "controller.alpha_44=1:2:3"): "Argument `controller.alpha_44` is not known; did you mean `alpha_4`?",
     ("vary", "controler.alpha_4=1:2:3"): "Argument `controler.alpha_4` is not known; did you mean `controller`?",
@@ -71,20 +72,20 @@ BAD: dict[tuple[Option, str], str] = {
     ("vary", "actuator.all.chain.7.right=1:2:3"): "Argument `actuator.all.chain.7.right` is not known; known here: 0.",
     ("vary", "actuator.tip_w.right=1:2:3"): "Argument `actuator.tip_w.right` must look like actuator.PORT.chain.0.PARAMETER",
     ("vary", "controller.alpha_4"): "Option `--vary` must look like PATH=RANGE",
-    ("vary", "controller.alpha_4=2:1:3"): "Option `--vary controller.alpha_4` must have a range with LOW < HIGH, but has 2:1.",
-    ("vary", "controller.alpha_4=0:1:log:3"): "Option `--vary controller.alpha_4` must have LOW > 0 for a logarithmic range, but has 0.",
-    ("vary", "controller.alpha_4=-1:1:log:3"): "Option `--vary controller.alpha_4` must have LOW > 0 for a logarithmic range, but has -1.",
-    ("vary", "controller.alpha_4=1:2:1"): "Option `--vary controller.alpha_4` must have a count of points from 2 to 100000, but has 1.",
-    ("vary", "controller.alpha_4=1:2:lg:3"): "Option `--vary controller.alpha_4` must have a range like LOW:HIGH:COUNT",
-    ("vary", "controller.alpha_4=-1:1:3"): "Option `--vary controller.alpha_4` cannot be -1.0: Argument `controller.alpha_4` must be > 0",
-    ("vary", "controller.barrier=lg"): "Option `--vary controller.barrier` cannot be 'lg': Argument `controller.barrier` must be 'log'",
+    ("vary", "controller.alpha_4=2:1:3"): f"{VARY} must have a range with LOW < HIGH, but has 2:1.",
+    ("vary", "controller.alpha_4=0:1:log:3"): f"{VARY} must have LOW > 0 for a logarithmic range, but has 0.",
+    ("vary", "controller.alpha_4=-1:1:log:3"): f"{VARY} must have LOW > 0 for a logarithmic range, but has -1.",
+    ("vary", "controller.alpha_4=1:2:1"): f"{VARY} must have a count of points from 2 to 100000, but has 1.",
+    ("vary", "controller.alpha_4=1:2:lg:3"): f"{VARY} must have a range like LOW:HIGH:COUNT",
+    ("vary", "controller.alpha_4=-1:1:3"): f"{VARY} cannot be -1.0: Argument `controller.alpha_4` must be > 0",
+    ("vary", "controller.barrier=lg"): "Option `--vary controller.barrier` cannot be 'lg': Argument",
     ("vary", "controller.alpha_4=1,1"): "Option `--vary` must name each value once",
     ("vary", "controller=1:2:3"): "Option `--vary controller` must name a number, but it is DualLoopAILC",
-    ("vary", "task.constraint.tip_w=-1:1:3"): "Option `--vary task.constraint.tip_w` cannot be -1.0: Argument `task.constraint.tip_w`",
-    ("uncertain", "plant.tip_mass=+-130%"): "Option `--uncertain plant.tip_mass` cannot be -0.03: Argument `plant.tip_mass` must be >= 0",
+    ("vary", "task.constraint.tip_w=-1:1:3"): "Option `--vary task.constraint.tip_w` cannot be -1.0: Argument",
+    ("uncertain", "plant.tip_mass=+-130%"): "Option `--uncertain plant.tip_mass` cannot be -0.03: Argument",
     ("uncertain", "plant.tip_mass=+-0%"): "Option `--uncertain plant.tip_mass` must have a spread > 0, but has 0.",
     ("uncertain", "controller.barrier=+-1%"): "Option `--uncertain controller.barrier` must name a number, but it is 'log'.",
-    ("uncertain", "plant.tip_mass,plant.tip_mass=+-1%"): "Option `--uncertain plant.tip_mass,plant.tip_mass` must name each path once.",
+    ("uncertain", "plant.tip_mass,plant.tip_mass=+-1%"): "Option `--uncertain plant.tip_mass,plant.tip_mass` must name each",
     ("search", "controller.alpha_3=1:2:3"): "Option `--search controller.alpha_3` must have a range like LOW:HIGH",
 }  # fmt: skip
 
@@ -221,7 +222,9 @@ def test_a_member_that_takes_its_worker_down_is_a_row_and_no_other_is_lost(tmp_p
     assert done.returncode == 0, done.stderr
     table = open_study(tmp_path / "study").table
     assert len(table) == 21
-    expected = ["crashed" if level == 1.0 else "refused" if level == 2.0 else "constraint_lost" for level in table["controller.level"]]
+    expected = [
+        "crashed" if level == 1.0 else "refused" if level == 2.0 else "constraint_lost" for level in table["controller.level"]
+    ]
     assert list(table["status"]) == expected
     assert "worker died" in table["message"][2]
     assert "begin failed: MemoryError: too much" in table["message"][4]
@@ -242,7 +245,7 @@ def test_a_study_folder_is_one_study_s_own(short: dampen.Scenario, tmp_path: Pat
         open_study(tmp_path / "b")
     text = (tmp_path / "a" / "scenario.toml").read_text()
     (tmp_path / "a" / "scenario.toml").write_text(text.replace("tip_mass = 0.1", "tip_mass = 0.11"))
-    with pytest.raises(dampen.ArgumentError, match="has rows of another study: study.toml or scenario.toml was changed"):
+    with pytest.raises(dampen.ArgumentError, match="has rows of another study"):
         open_study(tmp_path / "a")
 
 
@@ -387,19 +390,21 @@ def test_a_scheduler_that_is_not_there_is_one_clear_line(short: dampen.Scenario)
         sweep(short, {"controller.alpha_4": "1:2:2"}, engine="nonsense://127.0.0.1:1")
 
 
+MASS = ("--uncertain", "plant.tip_mass=+-30%")
+SEARCH = ("--search", "controller.alpha_4=1:2")
 LINES = {
     ("sweep", "he2017"): "Option `--vary` must be given at least once.",
     ("sweep", "he2018", "--vary", "controller.alpha_4=1:2:3"): "Scenario `he2018` is neither a shipped scenario nor a file",
-    ("sweep", "he2017", "--vary", "controller.alpha_44=1:2:3"): "Argument `controller.alpha_44` is not known",
-    ("tune", "he2017", "--search", "controller.alpha_4=1:2", "--objective", "peek"): "Argument `objective` must be a figure of merit, but is 'peek'; did you mean `peak`?",
+    ("sweep", "he2017", "--vary", "controller.alpha_44=1:2:3"): "Argument `controller.alpha_44` is not known; did you mean",
+    ("tune", "he2017", *SEARCH, "--objective", "peek"): "Argument `objective` must be a figure of merit, but is 'peek'; did you",
     ("tune", "he2017", "--search", "controller.alpha_4=0:2:log"): "Option `--search controller.alpha_4` must have LOW > 0",
-    ("tune", "he2017", "--search", "controller.alpha_4=1:2", "--budget", "0"): "Argument `budget` must be >= 1, but is 0.",
-    ("robust", "he2017", "--uncertain", "plant.tip_mass=+-30%", "--samples", "0"): "Argument `samples` must be from 1 to 10000000, but is 0.",
-    ("robust", "he2017", "--uncertain", "plant.tip_mass=+-30%", "--sampler", "halton"): "Argument `sampler` must be \"sobol\" or \"latin\", but is 'halton'.",
-    ("robust", "he2017", "--uncertain", "plant.tip_mass=+-30%", "--uncertain", "plant.tip_mass=+-3%"): "Option `--uncertain plant.tip_mass` must be given once",
-    ("resume", "nowhere"): "Study folder `nowhere` is not a study: study.toml and scenario.toml cannot be read: No such file or directory.",
+    ("tune", "he2017", *SEARCH, "--budget", "0"): "Argument `budget` must be >= 1, but is 0.",
+    ("robust", "he2017", *MASS, "--samples", "0"): "Argument `samples` must be from 1 to 10000000, but is 0.",
+    ("robust", "he2017", *MASS, "--sampler", "halton"): 'Argument `sampler` must be "sobol" or "latin", but is',
+    ("robust", "he2017", *MASS, *MASS): "Option `--uncertain plant.tip_mass` must be given once, but is given 2 times.",
+    ("resume", "nowhere"): "Study folder `nowhere` is not a study: study.toml and scenario.toml cannot be read: No such file",
     ("plot", "nowhere"): "Study folder `nowhere` is not a study",
-}  # fmt: skip
+}
 
 
 @pytest.mark.parametrize("arguments", list(LINES), ids=" ".join)

@@ -27,7 +27,8 @@ SWEEP_HELP = (
 )
 ROBUST_HELP = (
     "Run a scenario over what is uncertain: how likely is the constraint lost, what are the figures of merit, and which "
-    "parameter matters (Sobol indices).\n\nExample:\n\n  dampen robust he2017-tuned --uncertain plant.tip_mass,plant.tip_inertia=+-30% "
+    "parameter matters (Sobol indices).\n\nExample:\n\n  dampen robust he2017-tuned "
+    "--uncertain plant.tip_mass,plant.tip_inertia=+-30% "
     "--uncertain actuator.all.chain.0.right,actuator.all.chain.0.left=+-50% --samples 10000\n\n"
     f"A range is +-30%, 0.1+-30%, 0.1+-0.02 (any with :normal), LOW:HIGH or LOW:HIGH:log. {PATHS}\n\n{STATUS}"
 )
@@ -161,13 +162,14 @@ def _go_on(study: Study, workers: int | None, scheduler: str | None, report: boo
 
 
 def _report(study: Study) -> None:
-    from dampen.report.study_page import summary_rows, verdict_of, write_study_report
-    from dampen.studies.best import write_best
+    from dampen.report.study.page import summary_rows, verdict_of, write_study_report
+    from dampen.studies.best import nominal_merits, write_best
 
     assert study.folder is not None, "a study of the command line has a folder"
     written = write_best(study)
     with working("Drawing figures"):
-        page = write_study_report(study.folder, study)
+        nominal = nominal_merits(study) if study.definition.kind == "robust" else None
+        page = write_study_report(study.folder, study, nominal)
     headings, rows = summary_rows(study)
     show_table(headings, rows, headings[1:])
     out.print(verdict_of(study), markup=False)

@@ -7,6 +7,7 @@ import re
 from collections.abc import Callable, Iterable, Sequence
 from concurrent.futures import Executor, Future, ThreadPoolExecutor
 from dataclasses import dataclass
+from functools import partial
 from io import BytesIO
 from pathlib import Path
 from typing import Any
@@ -33,6 +34,7 @@ from dampen.scenarios.figures import FigurePlan
 from dampen.simulation.result import Result
 
 View = Callable[[str, Result, Result | None], tuple[Figure, str]]
+Draw = Callable[[], tuple[Figure, str]]
 Progress = Callable[[int, int], None]
 VIEWS: dict[str, View] = {
     "field": draw_field,
@@ -98,21 +100,34 @@ def jobs_of(plan: Sequence[FigurePlan], result: Result, baseline: Result | None)
 def draw_jobs(
     jobs: Sequence[Job], folder: Path, formats: Sequence[str] = FORMATS, progress: Progress | None = None
 ) -> list[Drawn]:
-    """Draw and save figure after figure; a second thread compresses the pixels of one while the next is drawn."""
+    """Draw and save the figures of a run."""
+    saved = save_all(
+        [(job.name, partial(VIEWS[job.view], job.of, job.run, job.other)) for job in jobs], folder, formats, progress
+    )
+    return [Drawn(job, *of_it) for job, of_it in zip(jobs, saved, strict=True)]
+
+
+def save_all(
+    named: Sequence[tuple[str, Draw]], folder: Path, formats: Sequence[str] = FORMATS, progress: Progress | None = None
+) -> list[tuple[str, tuple[float, float], dict[str, Path]]]:
+    """Draw and save figure after figure; a second thread compresses the pixels of one while the next is drawn.
+
+    Returns what each shows, its size [in], and its files by format.
+    """
     folder.mkdir(parents=True, exist_ok=True)
-    drawn, waiting = [], []
+    saved, waiting = [], []
     with matplotlib.rc_context(RC), ThreadPoolExecutor(1) as pool:
-        for job, name in zip(jobs, file_names(job.name for job in jobs), strict=True):
-            figure, sentence = VIEWS[job.view](job.of, job.run, job.other)
+        for (_, draw_it), name in zip(named, file_names(name for name, _ in named), strict=True):
+            figure, sentence = draw_it()
             width, height = map(float, figure.get_size_inches())
             files = {kind: folder / f"{name}.{kind}" for kind in formats}
             waiting += [save(figure, path, pool) for path in files.values()]
-            drawn.append(Drawn(job, sentence, (width, height), files))
+            saved.append((sentence, (width, height), files))
             if progress:
-                progress(len(drawn), len(jobs))
+                progress(len(saved), len(named))
         for future in waiting:
             future.result()
-    return drawn
+    return saved
 
 
 def save(figure: Figure, path: Path, pool: Executor) -> Future[Any]:

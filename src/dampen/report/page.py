@@ -17,6 +17,7 @@ from dampen.analysis.sampling_cost import METRICS, Cost
 from dampen.report.facts import account_rows, cost_row, facts, gains, status_sentence
 from dampen.report.figures import Drawn
 from dampen.report.joined import uncontrolled
+from dampen.report.study.figures import StudyDrawn
 from dampen.report.style import typeset
 from dampen.simulation.result import Result
 from dampen.simulation.trials import LOST
@@ -24,6 +25,7 @@ from dampen.toml import to_toml
 
 MIME = {"svg": "image/svg+xml", "png": "image/png"}
 ONE_COLUMN = 4.0
+Picture = Drawn | StudyDrawn
 
 
 def write_page(
@@ -60,7 +62,7 @@ def write_page(
     return path
 
 
-def smaller_format(figures: Sequence[Drawn]) -> str:
+def smaller_format(figures: Sequence[Picture]) -> str:
     """The format in which all figures together take less space."""
     sizes = {kind: sum(d.files[kind].stat().st_size for d in figures) for kind in MIME if all(kind in d.files for d in figures)}
     if not sizes:
@@ -68,7 +70,7 @@ def smaller_format(figures: Sequence[Drawn]) -> str:
     return min(sizes, key=sizes.__getitem__)
 
 
-def embedded(drawn: Drawn, kind: str) -> dict[str, Any]:
+def embedded(drawn: Picture, kind: str) -> dict[str, Any]:
     """What the template needs of a figure."""
     name = re.sub(r"^fig0*(\d+)$", r"Fig. \1", drawn.job.name)
     return {
@@ -103,8 +105,8 @@ def typeset_html(text: str) -> Markup:
 
 
 @cache
-def template() -> Template:
-    """The page's template, with its one filter."""
+def template(name: str = "page.html.j2") -> Template:
+    """A page's template, with its one filter."""
     environment = Environment(
         loader=PackageLoader("dampen.report", "."),
         autoescape=True,
@@ -113,4 +115,4 @@ def template() -> Template:
         lstrip_blocks=True,
     )
     environment.filters["typeset"] = typeset_html
-    return environment.get_template("page.html.j2")
+    return environment.get_template(name)

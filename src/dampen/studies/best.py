@@ -7,8 +7,9 @@ from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from dampen.analysis.merits import merit
+from dampen.analysis.merits import merit, merits
 from dampen.component import ArgumentError
+from dampen.simulation.batch import Batch, Tally
 from dampen.simulation.scenario import Scenario
 from dampen.studies.search import feasible
 from dampen.studies.variation import member
@@ -23,6 +24,12 @@ def best_row(study: Study, objective: str) -> dict[str, Any] | None:
     sign = -1 if merit(objective).better == "high" else 1
     rows = [row for row in study.rows.rows if feasible(row)]
     return min(rows, key=lambda row: (sign * row[objective], row["member"]), default=None)
+
+
+def nominal_merits(study: Study) -> dict[str, float] | None:
+    """The figures of merit of the scenario as it is; None where it cannot be run."""
+    (outcome,) = Batch(study.definition.scenario).run([study.definition.scenario])
+    return merits(outcome) if isinstance(outcome, Tally) else None
 
 
 def best_scenario(study: Study, objective: str | None = None) -> Scenario:
@@ -46,7 +53,7 @@ def write_best(study: Study) -> list[Path]:
             continue
         plain = re.sub(r"[^\w.-]", "_", objective)
         path = study.folder / (f"best-{plain}.toml" if several else "best.toml")
-        about = f"# Member {row['member']} of a tuning for {objective}, which is {row[objective]:.4g} there. See study.toml beside it.\n"
+        about = f"# Member {row['member']} of a tuning, see study.toml beside it: {objective} is {row[objective]:.4g}.\n"
         path.write_text(about + to_toml(best_scenario(study, objective)), encoding="utf-8")
         paths.append(path)
     return paths

@@ -1,60 +1,18 @@
-"""What statistics and report read of a study: its definition, and its rows as arrays over the members."""
+"""A study's rows as arrays: what statistics and report read of it."""
 
 from __future__ import annotations
 
-from pathlib import Path
-from typing import Any, Literal, Protocol
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from dampen.simulation.scenario import Scenario
-from dampen.studies.variation import Axis
+if TYPE_CHECKING:
+    from dampen.studies.study import Study
 
 Array = np.ndarray
 STATUSES = ("complete", "constraint_lost", "diverged", "refused", "crashed")
 JUDGED = ("complete", "constraint_lost", "diverged")  # these ran: the others say nothing about the constraint
 LOST = ("constraint_lost", "diverged")
-
-
-class Definition(Protocol):
-    """What a study varies and how. objectives: columns that a tuning improves.   base: rows N of a Saltelli design.
-
-    robust_axes: of a robust tuning, what is uncertain while it tunes.
-    """
-
-    @property
-    def kind(self) -> Literal["sweep", "robust", "tune"]: ...
-    @property
-    def scenario(self) -> Scenario: ...
-    @property
-    def axes(self) -> tuple[Axis, ...]: ...
-    @property
-    def objectives(self) -> tuple[str, ...]: ...
-    @property
-    def base(self) -> int: ...
-    @property
-    def sampler(self) -> str: ...
-    @property
-    def seed(self) -> int: ...
-    @property
-    def robust_axes(self) -> tuple[Axis, ...]: ...
-
-
-class Study(Protocol):
-    """Many runs of one scenario. table: a pandas DataFrame, one row for each member that is done.   members: how many in all."""
-
-    @property
-    def folder(self) -> Path | None: ...
-    @property
-    def definition(self) -> Definition: ...
-    @property
-    def members(self) -> int: ...
-    @property
-    def table(self) -> Any: ...
-    @property
-    def done(self) -> int: ...
-    @property
-    def version(self) -> str: ...
 
 
 def column(study: Study, name: str) -> Array:

@@ -11,11 +11,15 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass
+from typing import TYPE_CHECKING
 
 import numpy as np
 
 from dampen.component import wrong
-from dampen.studies.rows import JUDGED, LOST, Array, Study, by_member, column, counts, statuses
+from dampen.studies.rows import JUDGED, LOST, Array, by_member, column, counts, statuses
+
+if TYPE_CHECKING:
+    from dampen.studies.study import Study
 
 RESAMPLES, AT_ONCE = 1000, 100
 LEVEL = 0.95
@@ -100,7 +104,7 @@ def saltelli(base: int, dimensions: int, sampler: str, seed: int) -> Array:
     return np.concatenate([a, b, mixed.reshape(-1, dimensions)])
 
 
-def sobol_indices(values_A: Array, values_B: Array, values_AB: Array, seed: int) -> Indices:  # noqa: N803  (the source's)
+def sobol_indices(values_A: Array, values_B: Array, values_AB: Array, seed: int) -> Indices:
     """First-order and total indices of one output, with intervals by bootstrap over the base rows.
 
     With f_A, f_B (N,) and f_AB^i, (d, N), all less their mean over A and B, and V = var(f_A, f_B):
@@ -122,8 +126,8 @@ def sobol_indices(values_A: Array, values_B: Array, values_AB: Array, seed: int)
     first, total = _estimate(terms.mean(axis=0)[None], d)
     again = [_estimate(weights @ terms / rows, d) for weights in _resamples(rows, seed)]
     tails = ((1 - LEVEL) / 2, (1 + LEVEL) / 2)
-    intervals = [np.nanquantile(np.concatenate([pair[k] for pair in again]), tails, axis=0) for k in (0, 1)]
-    return Indices(first[0], total[0], *intervals, rows, len(whole) - rows)
+    firsts, totals = (np.nanquantile(np.concatenate([pair[k] for pair in again]), tails, axis=0) for k in (0, 1))
+    return Indices(first[0], total[0], firsts, totals, rows, len(whole) - rows)
 
 
 def _terms(a: Array, b: Array, mixed: Array) -> Array:

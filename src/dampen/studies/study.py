@@ -93,13 +93,19 @@ class Study:
     def _rounds(self) -> Any:
         """Members, what their axes take, and what else stands in their rows: all at once, or generation by generation."""
         if self.definition.kind != "tune":
-            yield range(self.members), self.definition.design, {}
+            order = self._order()
+            yield order, [self.definition.design[i] for i in order], {}
             return
         search = Search(self.definition)
         for number, members in enumerate(self.definition.generations()):
             values = search.ask(number, len(members))
             yield members, values, {"generation": number}
             search.tell([self._row(i) for i in members])
+
+    def _order(self) -> list[int]:
+        """All members; of a Saltelli design base row by base row, so that indices can be had before the end."""
+        base = self.definition.base or self.members
+        return sorted(range(self.members), key=lambda i: i % base)
 
     def _row(self, member: int) -> Row:
         return next(row for row in self.rows.rows if row["member"] == member)

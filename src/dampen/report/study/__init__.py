@@ -1,0 +1,1 @@
+"""What a study of many runs leaves for people to read."""
