@@ -76,4 +76,12 @@ from dampen.simulation.task import Constraint as Constraint
 from dampen.simulation.task import Task as Task
 from dampen.simulation.trials import simulate as simulate
 from dampen.stage import Stage as Stage
+from dampen.studies.api import resume as resume
+from dampen.studies.api import robust as robust
+from dampen.studies.api import sweep as sweep
+from dampen.studies.api import tune as tune
+from dampen.studies.best import best_scenario as best_scenario
+from dampen.studies.statistics import robustness as robustness
+from dampen.studies.study import Study as Study
+from dampen.studies.study import open_study as open_study
 from dampen.version import version as version

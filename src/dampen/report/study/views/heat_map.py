@@ -34,6 +34,7 @@ from dampen.studies.variation import Axis
 HEIGHT = 2.9
 BAR = 0.85  # in, from the map to the sheet's right edge
 MANY = 2000
+FLAT = 0.02  # values that differ by a smaller share than this are shown as alike
 
 
 def draw_heat_map(study: Study, merit: str) -> tuple[Figure, str]:
@@ -100,6 +101,8 @@ def _colours(figure: Figure, axes: Panel, edges: list[Array], values: Array, lab
     middle = float(np.median(known)) if len(known) else 0.0
     high = min(high, 30 * middle) if middle > 0 else high
     low = max(low, -1.0) if high > -1 else low  # a margin: what was allowed has been used twice
+    lacking = max(FLAT * max(abs(low), abs(high)) - (high - low), 0.0)
+    low, high = low - lacking / 2, high + lacking / 2
     norm = LogNorm(low, high) if log else Normalize(low, high if high > low else low + 1)
     drawn = axes.pcolormesh(*edges, np.ma.masked_invalid(values), cmap="cividis", norm=norm, rasterized=values.size > MANY)
     width = float(figure.get_size_inches()[0])
