@@ -11,7 +11,7 @@ import pandas as pd
 
 import dampen
 from dampen.analysis.merits import columns
-from dampen.studies.statistics import saltelli
+from dampen.studies.samples import saltelli
 from dampen.studies.variation import Axis, read_axis
 from tests.conftest import scenario
 

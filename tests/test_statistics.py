@@ -10,7 +10,8 @@ import pytest
 from scipy import stats
 
 from dampen.component import ArgumentError
-from dampen.studies.statistics import Indices, proportion, robustness, saltelli, sobol_indices
+from dampen.studies.samples import saltelli
+from dampen.studies.statistics import Indices, proportion, robustness, sobol_indices
 from tests.synthetic import StandIn, robust_study
 
 A, B = 7.0, 0.1

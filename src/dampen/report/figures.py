@@ -10,7 +10,7 @@ from dataclasses import dataclass
 from functools import partial
 from io import BytesIO
 from pathlib import Path
-from typing import Any
+from typing import Any, Generic, TypeVar
 
 import matplotlib
 import numpy as np
@@ -48,6 +48,7 @@ VIEWS: dict[str, View] = {
     "samples": draw_samples,
 }
 FORMATS = ("png", "svg")
+AnyJob = TypeVar("AnyJob")
 
 
 @dataclass(frozen=True)
@@ -63,10 +64,10 @@ class Job:
 
 
 @dataclass(frozen=True)
-class Drawn:
+class Drawn(Generic[AnyJob]):
     """A figure as drawn: the job, what it shows in this run, its size [in], and its files by format."""
 
-    job: Job
+    job: AnyJob
     sentence: str
     size: tuple[float, float]
     files: dict[str, Path]
@@ -74,7 +75,7 @@ class Drawn:
 
 def draw(
     plan: Sequence[FigurePlan], result: Result, baseline: Result | None, folder: Path, formats: Sequence[str] = FORMATS
-) -> list[Drawn]:
+) -> list[Drawn[Job]]:
     """Draw and save the figures of a plan; one that needs a run that is not at hand is left out."""
     return draw_jobs(jobs_of(plan, result, baseline), folder, formats)
 
@@ -99,7 +100,7 @@ def jobs_of(plan: Sequence[FigurePlan], result: Result, baseline: Result | None)
 
 def draw_jobs(
     jobs: Sequence[Job], folder: Path, formats: Sequence[str] = FORMATS, progress: Progress | None = None
-) -> list[Drawn]:
+) -> list[Drawn[Job]]:
     """Draw and save the figures of a run."""
     saved = save_all(
         [(job.name, partial(VIEWS[job.view], job.of, job.run, job.other)) for job in jobs], folder, formats, progress

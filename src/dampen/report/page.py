@@ -15,9 +15,8 @@ from markupsafe import Markup, escape
 from dampen.analysis.claims import Claim, verdict_sentence
 from dampen.analysis.sampling_cost import METRICS, Cost
 from dampen.report.facts import account_rows, cost_row, facts, gains, status_sentence
-from dampen.report.figures import Drawn
+from dampen.report.figures import Drawn, Job
 from dampen.report.joined import uncontrolled
-from dampen.report.study.figures import StudyDrawn
 from dampen.report.style import typeset
 from dampen.simulation.result import Result
 from dampen.simulation.trials import LOST
@@ -25,7 +24,6 @@ from dampen.toml import to_toml
 
 MIME = {"svg": "image/svg+xml", "png": "image/png"}
 ONE_COLUMN = 4.0
-Picture = Drawn | StudyDrawn
 
 
 def write_page(
@@ -33,7 +31,7 @@ def write_page(
     result: Result,
     baseline: Result | None,
     claims: list[Claim],
-    figures: Sequence[Drawn],
+    figures: Sequence[Drawn[Job]],
     note: str = "",
     costs: Sequence[Cost] = (),
 ) -> Path:
@@ -62,7 +60,7 @@ def write_page(
     return path
 
 
-def smaller_format(figures: Sequence[Picture]) -> str:
+def smaller_format(figures: Sequence[Drawn[Any]]) -> str:
     """The format in which all figures together take less space."""
     sizes = {kind: sum(d.files[kind].stat().st_size for d in figures) for kind in MIME if all(kind in d.files for d in figures)}
     if not sizes:
@@ -70,7 +68,7 @@ def smaller_format(figures: Sequence[Picture]) -> str:
     return min(sizes, key=sizes.__getitem__)
 
 
-def embedded(drawn: Picture, kind: str) -> dict[str, Any]:
+def embedded(drawn: Drawn[Any], kind: str) -> dict[str, Any]:
     """What the template needs of a figure."""
     name = re.sub(r"^fig0*(\d+)$", r"Fig. \1", drawn.job.name)
     return {
@@ -85,14 +83,14 @@ def embedded(drawn: Picture, kind: str) -> dict[str, Any]:
     }
 
 
-def key_figure(figures: Sequence[Drawn]) -> int | None:
+def key_figure(figures: Sequence[Drawn[Job]]) -> int | None:
     """The one figure of the first screen: a port that follows or moves under control, else a port, else whatever comes first."""
     ports = [i for view in ("tracking", "port") for i, d in enumerate(figures) if d.job.view == view]
     controlled = [i for i in ports if not uncontrolled(figures[i].job.run)]
     return next(iter([*controlled, *ports, *range(len(figures))]), None)
 
 
-def verdict(claims: list[Claim], figures: Sequence[Drawn], key: int | None) -> str:
+def verdict(claims: list[Claim], figures: Sequence[Drawn[Job]], key: int | None) -> str:
     """The outcome in one sentence: of the claims, or else of the key figure."""
     if claims:
         return verdict_sentence(claims)

@@ -7,28 +7,28 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from dampen.analysis.merits import columns, merit, merit_unit
+from dampen.studies.definition import Definition
 from dampen.toml import to_toml
+from dampen.version import version
 
 if TYPE_CHECKING:
+    import pandas
     import xarray
 
-    from dampen.studies.study import Study
 
-
-def dataset_of(study: Study) -> xarray.Dataset:
+def dataset_of(definition: Definition, table: pandas.DataFrame) -> xarray.Dataset:
     """The figures of merit and the status, (member,); of a finished grid, along the grid's axes instead."""
     import xarray
 
-    table, definition = study.table, study.definition
     data: dict[str, Any] = {}
     for name in columns(definition.scenario):
         attributes = {"units": merit_unit(name, definition.scenario), "long_name": merit(name).meaning}
         data[name] = (("member",), table[name].to_numpy(float), attributes)
     data["status"] = (("member",), table["status"].to_numpy(str))
     axes = {axis.name: (("member",), table[axis.name].to_numpy()) for axis in definition.axes}
-    attributes = {"dampen_version": study.version, "scenario": to_toml(definition.scenario), "study": definition.to_toml()}
+    attributes = {"dampen_version": version(), "scenario": to_toml(definition.scenario), "study": definition.to_toml()}
     found = xarray.Dataset(data, {"member": table["member"].to_numpy(), **axes}, attributes)
-    if definition.kind != "sweep" or not study.complete:
+    if definition.kind != "sweep" or len(table) < definition.members:
         return found
     shape = tuple(len(axis.values) for axis in definition.axes)
     names = tuple(axis.name for axis in definition.axes)

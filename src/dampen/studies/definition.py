@@ -17,7 +17,7 @@ from dampen.analysis.merits import columns
 from dampen.component import ArgumentError, suggestion, wrong
 from dampen.scenarios.read import build, parse
 from dampen.simulation.scenario import Scenario
-from dampen.studies.statistics import saltelli
+from dampen.studies.samples import latin, saltelli, sampled
 from dampen.studies.variation import Axis, Option, read_axis
 from dampen.toml import literal, to_toml
 from dampen.version import version
@@ -85,10 +85,7 @@ class Definition:
         """What the robust axes take, for each candidate of a tuning alike."""
         if not self.robust_axes:
             return ()
-        from scipy.stats import qmc
-
-        points = qmc.LatinHypercube(len(self.robust_axes), rng=np.random.default_rng([self.seed, 1])).random(self.robust_samples)
-        return sampled(self.robust_axes, points)
+        return sampled(self.robust_axes, latin(self.robust_samples, len(self.robust_axes), self.seed))
 
     def generations(self) -> list[range]:
         """The members of each generation of a tuning."""
@@ -114,13 +111,6 @@ class Definition:
         """Tells this study's rows from those of any other; where its modules are looked for does not count."""
         told = [line for line in self.to_toml().splitlines() if not line.startswith(("home =", "version ="))]
         return hashlib.sha256("\n".join([*told, to_toml(self.scenario)]).encode()).hexdigest()
-
-
-def sampled(axes: Sequence[Axis], points: np.ndarray) -> list[dict[str, Any]]:
-    """Points of the unit cube, (members, axes), as what the axes take."""
-    taken = [axis.at(points[:, i]) for i, axis in enumerate(axes)]
-    rounded = [np.round(column) if axis.whole else column for axis, column in zip(axes, taken, strict=True)]
-    return [{axis.name: column[i].item() for axis, column in zip(axes, rounded, strict=True)} for i in range(len(points))]
 
 
 def sweep_of(scenario: Scenario, vary: Sequence[str], home: Path = Path()) -> Definition:

@@ -1,4 +1,4 @@
-"""Statistics of a robustness study: where its samples lie, how often the constraint is lost, what the outcome depends on.
+"""Statistics of a robustness study: how often the constraint is lost, what the outcome depends on.
 
 Sobol indices are estimated here and not by scipy.stats.sobol_indices, since that refuses a design with rows missing, and a
 member may diverge, be refused or not be done yet. On a full design both agree, which a test holds.
@@ -15,7 +15,6 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from dampen.component import wrong
 from dampen.studies.rows import JUDGED, LOST, Array, by_member, column, counts, statuses
 
 if TYPE_CHECKING:
@@ -77,31 +76,6 @@ class Robustness:
     left_out: int
     quantiles: dict[str, Quantiles]
     indices: dict[str, Indices]
-
-
-def saltelli(base: int, dimensions: int, sampler: str, seed: int) -> Array:
-    """(base * (d + 2), d) points in [0, 1): `base` rows of A, as many of B, then for each i those of A with column i of B.
-
-    A and B are the halves of one design in 2 d dimensions, as Saltelli et al. (2010), section 5, advise.
-    sampler: "sobol", scrambled, whose base must be a power of two, or "latin".
-    """
-    from scipy.stats import qmc
-
-    if sampler not in ("sobol", "latin"):
-        raise wrong("sampler", "be 'sobol' or 'latin'", sampler)
-    if base < 1 or (sampler == "sobol" and base & (base - 1)):
-        raise wrong("base", "be a power of two for Sobol points" if sampler == "sobol" else "be >= 1", base)
-    # a generator, not a number: SciPy has renamed the argument, and under either name means the same by a generator
-    rng = np.random.default_rng(seed)
-    if sampler == "sobol":
-        points = qmc.Sobol(2 * dimensions, scramble=True, seed=rng).random(base)
-    else:
-        points = qmc.LatinHypercube(2 * dimensions, seed=rng).random(base)
-    a, b = points[:, :dimensions], points[:, dimensions:]
-    mixed = np.repeat(a[None], dimensions, axis=0)
-    for i in range(dimensions):
-        mixed[i, :, i] = b[:, i]
-    return np.concatenate([a, b, mixed.reshape(-1, dimensions)])
 
 
 def sobol_indices(values_A: Array, values_B: Array, values_AB: Array, seed: int) -> Indices:

@@ -64,7 +64,7 @@ class Study:
         """The numbers of the table as an xarray Dataset: along `member`, or, of a finished grid, along its axes."""
         from dampen.studies.dataset import dataset_of
 
-        return dataset_of(self)
+        return dataset_of(self.definition, self.table)
 
     def run(self, engine: Engine | None = None, progress: Progress | None = None) -> Study:
         """Run what is missing. progress: called with (rows done, rows in all, rows that failed) after each piece of work.

@@ -10,7 +10,7 @@ from pathlib import Path
 
 import numpy as np
 
-from dampen.report.figures import FORMATS, Draw, save_all
+from dampen.report.figures import FORMATS, Draw, Drawn, save_all
 from dampen.report.study.names import merit_words
 from dampen.report.study.views.convergence import draw_convergence
 from dampen.report.study.views.distribution import draw_distribution
@@ -36,16 +36,6 @@ class StudyJob:
     name: str
     caption: str
     draw: Draw
-
-
-@dataclass(frozen=True)
-class StudyDrawn:
-    """A figure as drawn: the job, what it shows, its size [in], and its files by format."""
-
-    job: StudyJob
-    sentence: str
-    size: tuple[float, float]
-    files: dict[str, Path]
 
 
 def jobs_of_study(study: Study, found: Robustness | None, own: Mapping[str, float] | None = None) -> list[StudyJob]:
@@ -102,7 +92,7 @@ def _title(name: str) -> str:
     return words[0].upper() + words[1:]
 
 
-def draw_study(jobs: Sequence[StudyJob], folder: Path, formats: Sequence[str] = FORMATS) -> list[StudyDrawn]:
+def draw_study(jobs: Sequence[StudyJob], folder: Path, formats: Sequence[str] = FORMATS) -> list[Drawn[StudyJob]]:
     """Draw and save the figures of a study."""
     saved = save_all([(job.name, job.draw) for job in jobs], folder, formats)
-    return [StudyDrawn(job, *of_it) for job, of_it in zip(jobs, saved, strict=True)]
+    return [Drawn(job, *of_it) for job, of_it in zip(jobs, saved, strict=True)]
