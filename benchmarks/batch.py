@@ -24,7 +24,7 @@ import dampen
 from dampen.simulation.batch import Batch, alone
 from dampen.simulation.bench import Bench
 
-MODES, MEMBERS, SINGLE, ROUNDS = 64, 64, 4, 6
+MODES, MEMBERS, SINGLE, ROUNDS = 64, 128, 4, 6
 
 
 def members(nominal: dampen.Scenario, count: int) -> list[dampen.Scenario]:

@@ -117,7 +117,7 @@ class Bench:
         """A barrier needs the tip inside it, as the modes have it: few modes can put it beyond a shape that was inside."""
         if scenario.controller.barrier_shape == "none":
             return
-        low, high = (limits[0] for limits in scenario.limits(0))
+        low, high = (limits[0] for limits in scenario.task.limits(scenario.ports, np.zeros(1), 0))
         for p, y in enumerate(self.modes.b @ self.start[0]):
             middle, room = (low[p] + high[p]) / 2, (high[p] - low[p]) / 2
             if scenario.controller.has_barrier(scenario.plant.ports[p]) and not abs(y - middle) < (1 - 1e-9) * room:

@@ -9,7 +9,7 @@ from typing import Any
 
 import numpy as np
 
-from dampen.controllers.base import Controller
+from dampen.controllers.base import Controller, Setting
 from dampen.controllers.pointwise import PointwiseLearning
 from dampen.simulation.bench import Bench
 from dampen.simulation.compose import compiled_members
@@ -23,6 +23,7 @@ from dampen.simulation.setting import of_trial, setting_of
 from dampen.simulation.tally import BY_PORT, WHOLE
 
 Array = np.ndarray
+PART = 8  # members that a thread takes at a time: cores are not always equally fast
 
 
 def in_step(scenario: Scenario) -> bool:
@@ -46,7 +47,7 @@ class Lockstep:
         self.scenarios, self.benches, self.first = scenarios, benches, scenarios[0]
         self.count, self.ports, self.bench = len(scenarios), len(self.first.ports), benches[0]
         self.steady = all(scenario.task.steady for scenario in scenarios)
-        self.settings = [setting_of(s, bench=b) for s, b in zip(scenarios, benches, strict=True)]
+        self.settings = self._settings()
         self.kernel = kernel_of(self.first, self.bench)
         self.members = self._stacked()
         self.desks = [self._desk() for _ in range(threads)]
@@ -54,7 +55,7 @@ class Lockstep:
 
     def trials(self, pool: Executor) -> Iterator[tuple[Array, Array]]:
         """Trial after trial, the members' figures: (members, ports, BY_PORT) and (members, WHOLE)."""
-        cuts = np.linspace(0, self.count, len(self.desks) + 1).astype(int).tolist()
+        each = self.count if len(self.desks) == 1 else PART
         sampler, steps = idle(self.ports), self.first.steps
         for j in range(self.first.task.trials):
             begins = j == 0 or self.first.task.start == "reset"
@@ -64,15 +65,22 @@ class Lockstep:
                 self._write_laws(j)
             given = self._given(j)
             by_port, whole = np.zeros((self.count, self.ports, len(BY_PORT))), np.zeros((self.count, len(WHOLE)))
-            parts = [
-                (self.members, given, desk, sampler, steps, first, last, by_port, whole)
-                for desk, first, last in zip(self.desks, cuts[:-1], cuts[1:], strict=True)
-            ]
-            if len(parts) == 1:
-                self.kernel(*parts[0])
-            else:
-                list(pool.map(lambda part: self.kernel(*part), parts))
+
+            def part(first: int, given: Given = given, by_port: Array = by_port, whole: Array = whole) -> None:
+                desk, last = self.desks.pop(), min(first + each, self.count)
+                self.kernel(self.members, given, desk, sampler, steps, first, last, by_port, whole)
+                self.desks.append(desk)
+
+            list(pool.map(part, range(0, self.count, each)))
             yield by_port, whole
+
+    def _settings(self) -> list[Setting]:
+        """One for each member; reference and limits are there once where the task is the first one's."""
+        first = setting_of(self.first, bench=self.bench)
+        return [
+            setting_of(scenario, bench=bench, like=first if scenario.task == self.first.task else None)
+            for scenario, bench in zip(self.scenarios, self.benches, strict=True)
+        ]
 
     def _stacked(self) -> Members:
         """The members' arrays, empty where each trial or each start writes them."""

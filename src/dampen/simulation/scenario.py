@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable
 from dataclasses import dataclass, field, replace
+from functools import cached_property
 from typing import Annotated, Literal
 
 import numpy as np
@@ -185,9 +186,14 @@ class Scenario(Component):
 
     def chain(self, index: int) -> tuple[Stage, ...]:
         """All stages between law and force at a port: the controller's own compensation, the scenario's, then the actuator."""
-        port = self.plant.ports[index]
-        own = self.controller.compensation(port)
-        return (*own, *self.compensation.get(port.name, ()), *self.actuators.get(port.name, ()))
+        return self._chains[index]
+
+    @cached_property
+    def _chains(self) -> tuple[tuple[Stage, ...], ...]:
+        return tuple(
+            (*self.controller.compensation(port), *self.compensation.get(port.name, ()), *self.actuators.get(port.name, ()))
+            for port in self.plant.ports
+        )
 
     def with_controller(self, controller: Controller) -> Scenario:
         """The same experiment under another controller."""

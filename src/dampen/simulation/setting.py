@@ -19,8 +19,11 @@ from dampen.simulation.scenario import Scenario
 Array = np.ndarray
 
 
-def setting_of(scenario: Scenario, bench: Bench | None = None) -> Setting:
-    """The setting of trial 0; without a bench, model and response have to be found out first where they are asked for."""
+def setting_of(scenario: Scenario, bench: Bench | None = None, like: Setting | None = None) -> Setting:
+    """The setting of trial 0; without a bench, model and response have to be found out first where they are asked for.
+
+    like: a setting of another scenario with the same task, whose reference and limits then serve here too.
+    """
     (steps, dt), unlimited = scenario.law_grid, np.empty((0, len(scenario.ports)))
     found: list[Bench] = [bench] if bench else []
 
@@ -44,6 +47,8 @@ def setting_of(scenario: Scenario, bench: Bench | None = None) -> Setting:
         model=lambda: the_bench().modes,
         response=once(lambda: response(scenario, the_bench())),
     )
+    if like is not None:
+        return replace(setting, reference=like.reference, low=like.low, high=like.high)
     return of_trial(setting, scenario, 0)
 
 
