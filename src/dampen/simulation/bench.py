@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from functools import cached_property
+from threading import Lock
 from typing import Any
 
 import numpy as np
@@ -26,6 +27,7 @@ from dampen.stage import Stage
 
 Array = np.ndarray
 LOADS_KEPT = 128 * 2**20
+ROUND_OFF = 1e-15
 LOAD_BLOCK = 100  # steps whose load is sampled at a time: what fits a processor's cache
 
 
@@ -60,6 +62,8 @@ class Bench:
         self._sampled_law: Callable[..., None] | None = None
         self._barrier = "none"
         self._loads: dict[int, tuple[Array, Array, Array]] = {}
+        self._factors: dict[int, tuple[Array, Array]] = {}
+        self._lock = Lock()
 
     @cached_property
     def shapes(self) -> dict[str, Array]:
@@ -139,36 +143,65 @@ class Bench:
 
     def shaking(self, trial: int, into: Array | None = None) -> tuple[Array, Array, Array]:
         """Disturbance (steps, ports), modal load (steps, modes), drift of the ports under both, (steps, ports) in m/s; kept
-        while it fits, unless another bench carries it. into: where the load is to be written."""
-        source = self.scenario.disturbance
-        key = source.same_as(trial)
+        while it fits, unless another bench carries it. A carried load has a column more for each port, what it gives the port.
+
+        into: where the load is to be written, (steps, modes and ports).
+        """
         if self.carried is not None:
             carrier, mix = self.carried
-            disturbance, load, _ = carrier.shaking(trial)
-            load = np.matmul(load, mix, out=into)
-            return disturbance, load, self._drift(disturbance, load)
-        if key not in self._loads:
-            disturbance = np.zeros((len(self.midpoints), len(self.site.ports)))
-            load = aligned(np.zeros((len(self.midpoints), self.modes.count)))
-            for part in source.parts:
-                with blame(part, "at_ports"):
-                    at_ports = part.at_ports(key, self.midpoints, self.site)
-                    if at_ports is not None:
-                        disturbance += at_ports
-                with blame(part, "load"):
-                    self._add_load(load, part, key)
-            drift = self._drift(disturbance, load)
-            if (len(self._loads) + 1) * load.nbytes > LOADS_KEPT:
-                self._loads.clear()
-            self._loads[key] = disturbance, load, drift
-        disturbance, load, drift = self._loads[key]
+            disturbance, (in_time, in_modes) = carrier.shaking(trial)[0], carrier.factors(trial)
+            own = in_modes @ mix
+            load = np.matmul(in_time, np.hstack([own, own @ self._give]), out=into)
+            return disturbance, load, load[:, self.modes.count :] + disturbance @ self.step.g
+        key = self.scenario.disturbance.same_as(trial)
+        with self._lock:  # threads may share a bench
+            if key not in self._loads:
+                shaken = self._shaken(key)
+                if (len(self._loads) + 1) * shaken[1].nbytes > LOADS_KEPT:
+                    self._loads.clear()
+                self._loads[key] = shaken
+            disturbance, load, drift = self._loads[key]
         if into is not None:
-            into[:] = load
-        return disturbance, load, drift
+            into[:, : self.modes.count] = load
+        return disturbance, load if into is None else into, drift
+
+    def factors(self, trial: int) -> tuple[Array, Array]:
+        """The modal load as a product, (steps, rank) by (rank, modes), to round-off: what it puts along a structure has far fewer
+        shapes than there are modes, and each bench that this one carries needs another product with it."""
+        key = self.scenario.disturbance.same_as(trial)
+        _, load, _ = self.shaking(trial)
+        with self._lock:
+            if key not in self._factors:
+                from scipy.linalg import svd
+
+                in_time, size, in_modes = svd(load, full_matrices=False, check_finite=False)
+                rank = int(np.sum(size > ROUND_OFF * size[0]))
+                if len(self._factors) > len(self._loads):
+                    self._factors.clear()
+                self._factors[key] = in_time[:, :rank].copy(), size[:rank, None] * in_modes[:rank]
+            return self._factors[key]
+
+    def _shaken(self, trial: int) -> tuple[Array, Array, Array]:
+        """The same, sampled."""
+        disturbance = np.zeros((len(self.midpoints), len(self.site.ports)))
+        load = aligned(np.zeros((len(self.midpoints), self.modes.count)))
+        for part in self.scenario.disturbance.parts:
+            with blame(part, "at_ports"):
+                at_ports = part.at_ports(trial, self.midpoints, self.site)
+                if at_ports is not None:
+                    disturbance += at_ports
+            with blame(part, "load"):
+                self._add_load(load, part, trial)
+        return disturbance, load, self._drift(disturbance, load)
 
     def _drift(self, disturbance: Array, load: Array) -> Array:
         """(steps, ports) mean velocities that port disturbances and modal load give the ports in a step."""
-        return np.asarray(load @ (self.modes.b * self.motion.psi / self.step.dt).T + disturbance @ self.step.g)
+        return np.asarray(load @ self._give + disturbance @ self.step.g)
+
+    @cached_property
+    def _give(self) -> Array:
+        """(modes, ports) mean velocity that a unit of modal force gives the ports in a step."""
+        return (self.modes.b * self.motion.psi / self.step.dt).T
 
     def _add_load(self, load: Array, part: Disturbance, trial: int) -> None:
         """Add to the modal load (steps, modes) what one part of the disturbance puts along the structure."""

@@ -82,7 +82,7 @@ class Step(NamedTuple):
 
 class Inputs(NamedTuple):
     """What one trial is given, held over each step: feedforward, coulomb and disturbance at the ports (steps, ports), the
-    modal load (steps, modes), the velocity that disturbance and load give the ports in a step, less that of the reference
+    modal load (steps, modes or more), the velocity that disturbance and load give the ports in a step, less that of the reference
     (steps, ports), and the limits of the tracking error (steps, ports). `origin` (ports,) is the reference at time 0."""
 
     feedforward: Array
