@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 import sys
 from dataclasses import replace
 from html import unescape
@@ -134,3 +135,24 @@ def test_modes_that_the_controller_does_not_know_spill_over_on_an_undamped_wing(
         return float(dampen.simulate(dampen.read_scenario("assembled-from-fe", settings))["energy"].mean())
 
     assert energy(2) > 1000 * energy(6)
+
+
+@pytest.mark.parametrize("numerics", [("numerics.modes=64",), ("numerics.modes=128", "numerics.step=0.00025", "output.every=40")])
+@pytest.mark.parametrize("name", ["he2017-tuned", "he2017-tuned-direct"])
+def test_tuned_gains_hold_the_tip_at_their_own_resolution_and_at_a_finer_one(name: str, numerics: tuple[str, ...]) -> None:
+    scenario = dampen.read_scenario(name, numerics)
+    result = dampen.simulate(scenario)
+    assert np.abs(result["y"][-5:]).max() <= 3e-4  # of both ports, m and rad
+    assert result.status == "complete"
+    assert max(fraction_of_limit(result, port).max() for port in scenario.ports) < 0.91
+
+
+def test_the_search_that_a_tuned_scenario_s_file_names_can_be_run() -> None:
+    """Its first generation: it begins where he2017 is, and finds something better."""
+    text = source_text("he2017-tuned")
+    search = re.findall(r"--search (\S+)", text)
+    assert len(search) == 9
+    study = dampen.tune(dampen.read_scenario("he2017", ["numerics.modes=64"]), search, budget=30, population=30, seed=2)
+    assert study.table["peak"].min() < study.table["peak"][0]
+    paths = [option.partition("=")[0] for option in search]
+    assert list(study.table.loc[0, paths]) == [1.0, 1.0, 0.1, 1.0, 1.0, 0.1, 1.0, 0.1, 0.1]
