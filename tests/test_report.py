@@ -15,7 +15,7 @@ import pytest
 from matplotlib.colors import to_hex
 
 import dampen
-from dampen import cli
+from dampen.cli import run as cli
 from dampen.analysis.energy import energy_account
 from dampen.analysis.metrics import error_rms, first_beyond, fraction_of_limit
 from dampen.analysis.sampling_cost import Cost

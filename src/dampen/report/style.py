@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import re
 from collections.abc import Iterable
 from typing import Any
@@ -128,6 +129,8 @@ def plain_number(value: float) -> str:
 def percent(ratio: float) -> str:
     """A ratio in percent, with as many digits as it deserves."""
     digits = 0 if abs(ratio) >= 0.0995 else 1
+    if 0 < abs(ratio) < 0.00095:
+        digits = 1 - math.floor(math.log10(abs(100 * ratio)))
     return f"{100 * ratio:.{digits}f} %".replace("-", MINUS)
 
 

@@ -151,7 +151,7 @@ def tune_of(
     if not objective or len(set(objective)) < len(objective):
         raise ArgumentError("Argument `objective` must name each figure of merit once, and at least one.")
     if population is None:
-        population = 4 + int(3 * np.log(max(len(axes), 1))) + 6 if len(objective) == 1 else 40
+        population = 16 + int(6 * np.log(len(axes) + 1)) if len(objective) == 1 else 40  # large: the ground is rugged
     for name, value, least in (("budget", budget, 1), ("population", population, 4), ("robust_samples", robust_samples, 1)):
         if value < least:
             raise wrong(name, f"be >= {least}", value)

@@ -157,5 +157,6 @@ def _searched(study: Study, ran: int) -> str:
     text = f"After {generations:,} generations the best {merit_words(name)} is {value}, at {where}"
     objectives = study.definition.objectives
     if len(objectives) > 1:
-        text += f"; {len(front(study, objectives)):,} members are on the front of {len(objectives)} objectives"
+        on = len(front(study, objectives))
+        text += f"; {on:,} {'member is' if on == 1 else 'members are'} on the front of {len(objectives)} objectives"
     return f"{text}; {held:,} of {ran:,} members {kept}."

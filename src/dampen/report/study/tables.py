@@ -109,26 +109,27 @@ def quantile_table(study: Study, found: Robustness) -> Grid | None:
 
 
 def index_table(study: Study, found: Robustness) -> Grid | None:
-    """First-order and total index of each parameter, with the interval in brackets."""
+    """First-order and total index of each parameter, with the interval in brackets, merit by merit."""
     if not found.indices:
         return None
     names = axis_names(study.definition.scenario, study.definition.axes)
-    heads = ["Parameter"]
-    for name in found.indices:
-        heads += [f"{merit_words(name)}: alone", "total"]
-    rows = []
-    for i, axis in enumerate(study.definition.axes):
-        cells = [plain_name(names[axis.name])]
-        for one in found.indices.values():
-            cells.append(_with_interval(one.first[i], one.first_interval[:, i]))
-            cells.append(_with_interval(one.total[i], one.total_interval[:, i]))
-        rows.append(tuple(cells))
+    rows: list[tuple[str, ...]] = [
+        (
+            _sentence_case(merit_words(name)) if i == 0 else "",
+            plain_name(names[axis.name]),
+            _with_interval(one.first[i], one.first_interval[:, i]),
+            _with_interval(one.total[i], one.total_interval[:, i]),
+        )
+        for name, one in found.indices.items()
+        for i, axis in enumerate(study.definition.axes)
+    ]
     used = next(iter(found.indices.values()))
     about = "Sobol indices: the share of a merit's variance that goes with the parameter alone (first order) and with all its "
     about += f"interactions (total), with 95 % bootstrap intervals, from {used.rows:,} complete base rows"
     why = "since a run of theirs diverged, was refused or is not done"
     about += f"; {used.left_out:,} were left out {why}." if used.left_out else "."
-    return Grid("What the figures of merit depend on", about, tuple(heads), rows)
+    heads = ("Figure of merit", "Parameter", "Alone", "With interactions")
+    return Grid("What the figures of merit depend on", about, heads, rows, 2)
 
 
 def _with_interval(value: float, ends: np.ndarray) -> str:
