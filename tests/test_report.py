@@ -15,10 +15,11 @@ import pytest
 from matplotlib.colors import to_hex
 
 import dampen
-from dampen.cli import run as cli
 from dampen.analysis.energy import energy_account
 from dampen.analysis.metrics import error_rms, first_beyond, fraction_of_limit
 from dampen.analysis.sampling_cost import Cost
+from dampen.cli import main
+from dampen.cli.run import continuous_twin
 from dampen.plants.base import Damping, Field
 from dampen.report import write_report
 from dampen.report.facts import cost_row, facts, status_sentence
@@ -404,7 +405,7 @@ def test_run_puts_the_continuous_run_beside_a_sampled_one(
     settings = (part for value in (*COARSE, "numerics.mode=sampled", "sampling.period=0.002") for part in ("--set", value))
     monkeypatch.setattr(sys, "argv", ["dampen", "run", "he2017", *settings, "--out", str(tmp_path)])
     with pytest.raises(SystemExit, match=r"^0$"):
-        cli.main()
+        main()
     assert {"result.nc", "uncontrolled.nc", "continuous.nc", "report.html"} <= {p.name for p in tmp_path.iterdir()}
     text = capsys.readouterr().out
     assert "What sampling costs" in text
@@ -415,8 +416,8 @@ def test_run_puts_the_continuous_run_beside_a_sampled_one(
 
 def test_there_is_no_continuous_run_of_a_law_that_needs_samples() -> None:
     sampled = coarse("numerics.mode=sampled", "sampling.period=0.002")
-    twin = cli.continuous_twin(sampled)
+    twin = continuous_twin(sampled)
     assert twin is not None
     assert not twin.sampled
-    assert cli.continuous_twin(replace(sampled, controller=dampen.LQG())) is None
-    assert cli.continuous_twin(twin) is None
+    assert continuous_twin(replace(sampled, controller=dampen.LQG())) is None
+    assert continuous_twin(twin) is None

@@ -240,7 +240,21 @@ def test_list_and_show_come_from_the_code(tmp_path: Path) -> None:
 
 
 def test_importing_dampen_brings_in_nothing_heavy() -> None:
-    heavy = ["matplotlib", "numba", "xarray", "netCDF4", "scipy", "jinja2", "typer", "rich", "pandas"]
+    heavy = [
+        "matplotlib",
+        "numba",
+        "xarray",
+        "netCDF4",
+        "scipy",
+        "jinja2",
+        "typer",
+        "rich",
+        "pandas",
+        "pyarrow",
+        "optuna",
+        "loky",
+        "distributed",
+    ]
     code = f"import sys, dampen; print([m for m in {heavy} if m in sys.modules])"
     out = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True, env=dict(os.environ))
     assert out.stdout.strip() == "[]"
