@@ -59,7 +59,7 @@ def test_what_a_member_learns_equals_a_single_run_bit_for_bit() -> None:
     nominal = scenario(*SHORT)
     bench = Bench(nominal)
     members = Lockstep([nominal, *varied(nominal, 2)[:2]], [bench] * 3)
-    for p, _ in zip(passes(nominal, bench), members.trials(None), strict=True):  # type: ignore[arg-type]  # one thread
+    for p, _ in zip(passes(nominal, bench), members.trials(), strict=True):
         np.testing.assert_array_equal(members.members.learned_feedforward[0], p.memory["zeta"])
         np.testing.assert_array_equal(members.members.learned_coulomb[0], p.memory["d_hat"])
 

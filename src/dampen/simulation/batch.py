@@ -1,14 +1,14 @@
 """A batch: many parameter sets of one scenario, side by side, of which only figures of merit are kept.
 
-Members go through the trials in step: in each trial one compiled call takes all members of a thread through the very kernel
-that a single run uses, and lets them learn. What they share (modes, loads) is there once. A changed plant is put on the fixed
+Members go through the trials in step, some at a time: in each trial one compiled call takes them through the very kernel that a
+single run uses, and lets them learn. What they share (modes, loads) is there once. A changed plant is put on the fixed
 basis of the nominal one, which carries its loads. Laws that learn in Python, and sampled ones, go member by member.
 """
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from concurrent.futures import Executor, ThreadPoolExecutor
+from collections.abc import Mapping, Sequence
+from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
 from functools import cache, cached_property
 from typing import Any
@@ -26,7 +26,7 @@ from dampen.simulation.scenario import Scenario
 from dampen.simulation.tally import BY_PORT, SHARE, STEPS, WHOLE, tally
 
 Array = np.ndarray
-CHUNK = 64  # members at a time and thread: their loads and memories are some tens of MiB
+PIECE = 16  # members that a thread takes through all trials: what they learn and are shaken by stays in its cache
 SHARED = ("trials", "trial_duration", "start", "reset_error", "seed")  # of a task, what a bench relies on
 
 
@@ -57,12 +57,9 @@ class Batch:
 
     def run(self, members: Sequence[Scenario], threads: int = 1) -> list[Outcome]:
         """Run all members, in their order; one that cannot be run comes back as the ArgumentError that says why."""
-        outcomes: dict[int, Outcome] = {}
+        pieces = [members[i : i + PIECE] for i in range(0, len(members), PIECE)]
         with ThreadPoolExecutor(threads) as pool:
-            for begin in range(0, len(members), CHUNK * threads):
-                chunk = dict(enumerate(members[begin : begin + CHUNK * threads], begin))
-                outcomes |= self._chunk(chunk, pool, threads)
-        return [outcomes[i] for i in range(len(members))]
+            return [outcome for outcomes in pool.map(self._piece, pieces) for outcome in outcomes]
 
     def is_ready(self) -> bool:
         """Whether the nominal scenario's kernel is compiled already."""
@@ -89,39 +86,37 @@ class Batch:
         assert self._basis is not None
         return Bench(self.nominal, self._basis.carrier)
 
-    def _chunk(self, members: dict[int, Scenario], pool: Executor, threads: int) -> dict[int, Outcome]:
+    def _piece(self, members: Sequence[Scenario]) -> list[Outcome]:
+        """The outcomes of some members, kind by kind."""
         outcomes: dict[int, Outcome] = {}
-        kinds: list[tuple[Any, list[int]]] = []
-        benches: dict[int, Bench] = {}
-        for i, member in members.items():
+        kinds: list[tuple[Any, dict[int, Bench]]] = []
+        for i, member in enumerate(members):
             try:
-                benches[i] = bench = self.bench_of(member)
+                bench = self.bench_of(member)
                 bench.check_start(member)
             except ArgumentError as error:
                 outcomes[i] = error
                 continue
             kind = kind_of_member(member) if in_step(member) else i
-            same = next((indices for other, indices in kinds if other == kind), None)
-            kinds.append((kind, [i])) if same is None else same.append(i)
-        for _, indices in kinds:
+            same = next((benches for other, benches in kinds if other == kind), None)
+            kinds.append((kind, {i: bench})) if same is None else same.update({i: bench})
+        for _, benches in kinds:
             try:
-                outcomes |= self._one_kind({i: members[i] for i in indices}, benches, pool, threads)
+                outcomes |= of_one_kind({i: members[i] for i in benches}, benches)
             except ArgumentError as error:
-                if len(indices) == 1:
-                    outcomes[indices[0]] = error
-                    continue
-                for i in indices:  # one of them spoils it for all: find out which
-                    outcomes |= self._chunk({i: members[i]}, pool, 1)
-        return outcomes
+                alone_in_it = len(benches) == 1  # of several, one spoils it for all: find out which
+                outcomes |= {i: error if alone_in_it else self._piece([members[i]])[0] for i in benches}
+        return [outcomes[i] for i in range(len(members))]
 
-    def _one_kind(self, members: dict[int, Scenario], benches: dict[int, Bench], pool: Executor, threads: int) -> dict[int, Any]:
-        scenarios, own = list(members.values()), [benches[i] for i in members]
-        if not in_step(scenarios[0]):
-            return {i: alone(scenarios[0], own[0]) for i in members}
-        threads = max(1, min(threads, len(scenarios)))
-        figures = list(Lockstep(scenarios, own, threads).trials(pool))
-        by_port, whole = (np.stack(side, axis=1) for side in zip(*figures, strict=True))
-        return {i: began(scenarios[n], by_port[n], whole[n]) for n, i in enumerate(members)}
+
+def of_one_kind(members: Mapping[int, Scenario], benches: Mapping[int, Bench]) -> dict[int, Outcome]:
+    """The outcomes of members that can go in step; one that cannot is alone here."""
+    scenarios = list(members.values())
+    if not in_step(scenarios[0]):
+        return {i: alone(scenario, benches[i]) for i, scenario in members.items()}
+    figures = list(Lockstep(scenarios, list(benches.values())).trials())
+    by_port, whole = (np.stack(side, axis=1) for side in zip(*figures, strict=True))
+    return {i: began(scenarios[n], by_port[n], whole[n]) for n, i in enumerate(members)}
 
 
 def began(scenario: Scenario, by_port: Array, whole: Array) -> Tally:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from functools import cached_property
-from threading import Lock
+from threading import RLock
 from typing import Any
 
 import numpy as np
@@ -63,7 +63,7 @@ class Bench:
         self._barrier = "none"
         self._loads: dict[int, tuple[Array, Array, Array]] = {}
         self._factors: dict[int, tuple[Array, Array]] = {}
-        self._lock = Lock()
+        self._lock = RLock()  # threads may share a bench
 
     @cached_property
     def shapes(self) -> dict[str, Array]:
@@ -80,22 +80,23 @@ class Bench:
 
         A second scenario adds only what the first did not have, so that the run without control needs no kernel of its own.
         """
-        controller = scenario.controller
-        for p in range(len(scenario.plant.ports)):
-            check_stages(scenario.chain(p), self.step.dt)
-            self._stages += [cls for cls in map(type, scenario.chain(p)) if cls not in self._stages]
-        if scenario.sampled:
-            self._sampled_law = type(controller).step if isinstance(controller, SampledFeedback) else port_law
-        if controller.barrier_shape != "none":
-            self._barrier = controller.barrier_shape
-        composition = Composition(
-            ports=len(scenario.plant.ports),
-            steps=tuple(cls.step for cls in self._stages),
-            damped=self.modes.damped,
-            barrier="log" if self._barrier == "none" else self._barrier,
-            sampled_law=self._sampled_law,
-        )
-        return composition, self._stages
+        with self._lock:
+            controller = scenario.controller
+            for p in range(len(scenario.plant.ports)):
+                check_stages(scenario.chain(p), self.step.dt)
+                self._stages += [cls for cls in map(type, scenario.chain(p)) if cls not in self._stages]
+            if scenario.sampled:
+                self._sampled_law = type(controller).step if isinstance(controller, SampledFeedback) else port_law
+            if controller.barrier_shape != "none":
+                self._barrier = controller.barrier_shape
+            composition = Composition(
+                ports=len(scenario.plant.ports),
+                steps=tuple(cls.step for cls in self._stages),
+                damped=self.modes.damped,
+                barrier="log" if self._barrier == "none" else self._barrier,
+                sampled_law=self._sampled_law,
+            )
+            return composition, self._stages
 
     def modal_record(self, trial: int = 0) -> Any:
         """The record of all modes as a trial begins that starts from the initial state."""
@@ -154,7 +155,7 @@ class Bench:
             load = np.matmul(in_time, np.hstack([own, own @ self._give]), out=into)
             return disturbance, load, load[:, self.modes.count :] + disturbance @ self.step.g
         key = self.scenario.disturbance.same_as(trial)
-        with self._lock:  # threads may share a bench
+        with self._lock:
             if key not in self._loads:
                 shaken = self._shaken(key)
                 if (len(self._loads) + 1) * shaken[1].nbytes > LOADS_KEPT:

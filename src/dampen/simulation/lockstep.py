@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from concurrent.futures import Executor
 from typing import Any
 
 import numpy as np
@@ -22,8 +21,6 @@ from dampen.simulation.setting import of_trial, setting_of
 from dampen.simulation.tally import BY_PORT, WHOLE
 
 Array = np.ndarray
-Limited = tuple[Array, Array, Array]
-PART = 8  # members that a thread takes at a time: their loads stay in its cache; and cores are not always equally fast
 
 
 def in_step(scenario: Scenario) -> bool:
@@ -41,19 +38,19 @@ def kind_of_member(scenario: Scenario) -> tuple[Any, ...]:
 
 
 class Lockstep:
-    """Members of one kind, each with its bench."""
+    """Members of one kind, each with its bench; one thread's work."""
 
-    def __init__(self, scenarios: Sequence[Scenario], benches: Sequence[Bench], threads: int = 1):
+    def __init__(self, scenarios: Sequence[Scenario], benches: Sequence[Bench]):
         self.scenarios, self.benches, self.first = scenarios, benches, scenarios[0]
         self.count, self.ports, self.bench = len(scenarios), len(self.first.ports), benches[0]
         self.steady = all(scenario.task.steady for scenario in scenarios)
         self.settings = self._settings()
         self.kernel = kernel_of(self.first, self.bench)
-        self.members = self._stacked()
-        self.desks = [self._desk() for _ in range(threads)]
-        self._limits: Limited | None = None
+        self.members, self.desk = self._stacked(), self._desk()
+        self.loads = np.zeros((0 if self._share_a_bench else self.count, self.first.steps, self.bench.modes.count + self.ports))
+        self._limits: tuple[Array, Array, Array] | None = None
 
-    def trials(self, pool: Executor) -> Iterator[tuple[Array, Array]]:
+    def trials(self) -> Iterator[tuple[Array, Array]]:
         """Trial after trial, the members' figures: (members, ports, BY_PORT) and (members, WHOLE)."""
         sampler, steps = idle(self.ports), self.first.steps
         for j in range(self.first.task.trials):
@@ -62,16 +59,8 @@ class Lockstep:
                 self._put_back(j)
             if begins or not self.steady:
                 self._write_laws(j)
-            limited = self._limited(j)
             by_port, whole = np.zeros((self.count, self.ports, len(BY_PORT))), np.zeros((self.count, len(WHOLE)))
-
-            def part(first: int, j: int = j, limited: Limited = limited, by_port: Array = by_port, whole: Array = whole) -> None:
-                (desk, loads), last = self.desks.pop(), min(first + PART, self.count)
-                given = self._given(j, first, last, limited, loads)
-                self.kernel(self.members, given, desk, sampler, steps, first, last, by_port, whole)
-                self.desks.append((desk, loads))
-
-            list(pool.map(part, range(0, self.count, PART)))
+            self.kernel(self.members, self._given(j), self.desk, sampler, steps, by_port, whole)
             yield by_port, whole
 
     def _settings(self) -> list[Setting]:
@@ -116,15 +105,13 @@ class Lockstep:
         assert isinstance(law, PointwiseLearning)
         return np.ascontiguousarray(law.learning_row(self.settings[i]).T, float)
 
-    def _desk(self) -> tuple[Desk, Array]:
-        """What a thread works with, and where it puts the loads of its members."""
+    def _desk(self) -> Desk:
         bench, steps = self.bench, self.first.steps
         rest = np.zeros(bench.modes.count)
         step = Step(bench.step.dt, bench.step.per_dt, *map(aligned, bench.step[2:]))
         record = empty_record(steps, self.ports, bench.modes.count, steps)
         modal = modal_record(bench.modes, bench.motion, step, rest, rest)
-        loads = np.zeros((0 if self._share_a_bench else PART, steps, bench.modes.count + self.ports))
-        return Desk(modal, step, record, np.zeros((steps, self.ports)), np.zeros((steps, self.ports))), loads
+        return Desk(modal, step, record, np.zeros((steps, self.ports)), np.zeros((steps, self.ports)))
 
     def _put_back(self, trial: int) -> None:
         """All members as a trial begins that starts from the initial state."""
@@ -145,20 +132,20 @@ class Lockstep:
             for name in ("damping", "stiffness", "barrier"):
                 members.ports[name][i] = getattr(law, name)
 
-    def _given(self, trial: int, first: int, last: int, limited: Limited, loads: Array) -> Given:
-        """What the trial brings to members first .. last - 1: once where it is the same for all."""
-        reference, low, high = (part if len(part) == 1 else part[first:last] for part in limited)
+    def _given(self, trial: int) -> Given:
+        """What the trial brings: once for all members where it is the same for all."""
+        reference, low, high = self._limited(trial)
         if self._share_a_bench:
             disturbance, load, drift = (part[None] for part in self.bench.shaking(trial))
         else:
-            load = loads[: last - first]
-            shaken = [bench.shaking(trial, into) for bench, into in zip(self.benches[first:last], load, strict=True)]
+            load = self.loads
+            shaken = [bench.shaking(trial, into) for bench, into in zip(self.benches, load, strict=True)]
             disturbance, drift = (np.stack([of_one[i] for of_one in shaken]) for i in (0, 2))
         if np.any(reference):
             drift = drift - np.diff(reference, axis=1) / self.bench.step.dt
         return Given(disturbance, load, drift, low, high, np.ascontiguousarray(reference[:, 0]))
 
-    def _limited(self, trial: int) -> Limited:
+    def _limited(self, trial: int) -> tuple[Array, Array, Array]:
         """Reference and limits of the error, (members or 1, steps + 1, ports)."""
         if self._limits is None or not self.steady:
             alike = all(scenario.task == self.first.task for scenario in self.scenarios)

@@ -70,19 +70,18 @@ def relearn(feedforward, coulomb, error, v, command, row):
     return feedforward, coulomb
 
 
-def run_members(members, given, desk, sampler, every, first, last, by_port, whole):
-    """Run the members first .. last - 1 through one trial and write down their figures; see `tally`. `given` is theirs alone."""
+def run_members(members, given, desk, sampler, every, by_port, whole):
+    """Run all members through one trial and write down their figures; see `tally`."""
     steps = len(desk.feedforward)
-    for i in range(first, last):
+    for i in range(len(members.alive)):
         if members.alive[i] == 0.0:
             continue
         take(i, members, desk)
-        given_to = i - first
-        record, low, high = desk.record, given.low[row_of(given.low, given_to)], given.high[row_of(given.high, given_to)]
-        shaken = row_of(given.load, given_to)
+        record, low, high = desk.record, given.low[row_of(given.low, i)], given.high[row_of(given.high, i)]
+        shaken = row_of(given.load, i)
         inputs = Inputs(
-            desk.feedforward, desk.coulomb, given.disturbance[shaken], given.load[shaken],
-            given.drift[row_of(given.drift, given_to)], low[1:], high[1:], given.origin[row_of(given.origin, given_to)],
+            desk.feedforward, desk.coulomb, given.disturbance[shaken], given.load[shaken], given.drift[row_of(given.drift, i)],
+            low[1:], high[1:], given.origin[row_of(given.origin, i)],
         )  # fmt: skip
         done = run_trial(desk.modal, desk.step, inputs, sampler, members.ports[i], members.stages[i], every, record)
         tally(record, low, high, done, members.before[i], by_port[i], whole[i])
