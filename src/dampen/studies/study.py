@@ -12,7 +12,7 @@ from dampen.simulation.bench import Bench
 from dampen.simulation.interrupt import interrupt_noted
 from dampen.studies.definition import Definition, read_definition
 from dampen.studies.engines import Cores, Engine, Here
-from dampen.studies.evaluate import Row, Work
+from dampen.studies.evaluate import Work
 from dampen.studies.handing_out import hand_out
 from dampen.studies.search import Search
 from dampen.studies.table import Table
@@ -25,7 +25,6 @@ if TYPE_CHECKING:
 
     from dampen.simulation.scenario import Scenario
 
-FAILED = ("refused", "crashed", "diverged")
 Progress = Callable[[int, int, int], None]
 
 
@@ -48,7 +47,7 @@ class Study:
     @property
     def done(self) -> int:
         """How many there are."""
-        return len(self.rows.done)
+        return len(self.rows.by_member)
 
     @property
     def complete(self) -> bool:
@@ -85,7 +84,7 @@ class Study:
                 for rows in hand_out(self.rows.missing(members), lambda piece: self._work(source, piece, table), ready, stopped):  # noqa: B023
                     self.rows.add([{**row, **more} for row in rows])
                     if progress:
-                        progress(self.done, self.members, sum(row["status"] in FAILED for row in self.rows.rows))
+                        progress(self.done, self.members, self.rows.failed)
                 if stopped():
                     break
         return self
@@ -100,15 +99,12 @@ class Study:
         for number, members in enumerate(self.definition.generations()):
             values = search.ask(number, len(members))
             yield members, values, {"generation": number}
-            search.tell([self._row(i) for i in members])
+            search.tell([self.rows.by_member[i] for i in members])
 
     def _order(self) -> list[int]:
         """All members; of a Saltelli design base row by base row, so that indices can be had before the end."""
         base = self.definition.base or self.members
         return sorted(range(self.members), key=lambda i: i % base)
-
-    def _row(self, member: int) -> Row:
-        return next(row for row in self.rows.rows if row["member"] == member)
 
     def _work(self, source: tuple[str, str] | Scenario, piece: Sequence[int], values: dict[int, Any]) -> Work:
         definition = self.definition

@@ -17,6 +17,7 @@ if TYPE_CHECKING:
     import pandas
 
 FINGERPRINT = b"dampen_study"
+FAILED = ("refused", "crashed", "diverged")
 
 
 class Table:
@@ -24,29 +25,36 @@ class Table:
 
     def __init__(self, definition: Definition, folder: Path | None = None):
         self.definition, self.folder = definition, folder
-        self.rows: list[Row] = []
-        if folder is not None:
-            self.rows = [row for path in sorted(folder.glob("part-*.parquet")) for row in self._read(path)]
-        self.done = {int(row["member"]) for row in self.rows}
+        self.by_member: dict[int, Row] = {}
+        self.failed = 0
+        for path in sorted(folder.glob("part-*.parquet")) if folder is not None else ():
+            self._keep(self._read(path))
 
     def add(self, rows: Sequence[Row]) -> None:
         """Add rows; they are on disk when this returns. Raises ArgumentError where they cannot be written."""
         if self.folder is not None and rows:
             self._write(rows, self.folder)
-        self.rows += rows
-        self.done |= {int(row["member"]) for row in rows}
+        self._keep(rows)
+
+    @property
+    def rows(self) -> Iterable[Row]:
+        """All rows, in the order in which they came."""
+        return self.by_member.values()
 
     def missing(self, members: Iterable[int]) -> list[int]:
         """Those members that have no row yet."""
-        return [i for i in members if i not in self.done]
+        return [i for i in members if i not in self.by_member]
 
     def frame(self) -> pandas.DataFrame:
         """All rows, sorted by member, with the columns in one order."""
         import pandas
 
         names = [name for name, _ in fields(self.definition)]
-        frame = pandas.DataFrame.from_records(sorted(self.rows, key=lambda row: int(row["member"])), columns=names)
-        return frame.reset_index(drop=True)
+        return pandas.DataFrame.from_records([self.by_member[i] for i in sorted(self.by_member)], columns=names)
+
+    def _keep(self, rows: Sequence[Row]) -> None:
+        self.by_member |= {int(row["member"]): row for row in rows}
+        self.failed += sum(row["status"] in FAILED for row in rows)
 
     def _write(self, rows: Sequence[Row], folder: Path) -> None:
         """Under another name first: a part that bears its own is whole, whenever the process ends."""
@@ -68,7 +76,7 @@ class Table:
             hidden.replace(path)
         except OSError as error:
             hidden.unlink(missing_ok=True)
-            kept = f"{len(self.rows)} rows are kept, and `dampen resume` goes on from them"
+            kept = f"{len(self.by_member)} rows are kept, and `dampen resume` goes on from them"
             raise ArgumentError(f"Study folder `{folder.parent}` cannot be written: {error.strerror or error}; {kept}.") from None
 
     def _read(self, path: Path) -> list[Row]:
