@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
+import os
 import subprocess
 import sys
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
@@ -161,3 +162,84 @@ print(resource.getrusage(resource.RUSAGE_SELF).ru_maxrss / 1024)
     few = peak(20, 10)
     assert peak(400, 10) < few + 20
     assert peak(20, 100) < few + 20
+
+
+VARIANTS = {"log": "controller.barrier=log", "tan": "controller.barrier=tan", "damped": "plant.damping.ratio=0.05"}
+
+
+def test_kernels_from_disk_do_not_take_each_other_s_place(tmp_path: Any) -> None:
+    """Each variant compiled in a process of its own; then all in one, from the cache: whatever comes first, the same figures."""
+    code = """
+import sys
+import dampen
+from dampen.simulation.batch import Batch
+for variant in sys.argv[1:]:
+    case = dampen.read_scenario("he2017", ["task.trials=2", "task.trial_duration=0.5", "numerics.modes=8", variant])
+    (found,) = Batch(case).run([case])
+    print(variant, found.by_port.tobytes().hex()[:4000])
+"""
+
+    def figures(*variants: str) -> set[str]:
+        environment = {**os.environ, "NUMBA_CACHE_DIR": str(tmp_path)}
+        done = subprocess.run(
+            [sys.executable, "-c", code, *variants], capture_output=True, text=True, check=True, env=environment
+        )
+        return set(done.stdout.splitlines())
+
+    single = set().union(*(figures(variant) for variant in VARIANTS.values()))
+    assert len({line.split()[1] for line in single}) == 3
+    assert figures(*VARIANTS.values()) == single
+    assert figures(*reversed(VARIANTS.values())) == single
+
+
+def test_damped_and_undamped_members_in_any_order_are_single_runs() -> None:
+    nominal = dampen.read_scenario("euler-bernoulli-payload", ["task.trials=2", "task.trial_duration=1.0", "numerics.modes=10"])
+    plant: Any = nominal.plant
+    dampings = [dampen.Damping(), dampen.Damping(ratio=0.05), dampen.Damping(kelvin_voigt=1e-3), dampen.Damping(viscous=0.5)]
+    members = [replace(nominal, plant=replace(plant, damping=damping)) for damping in dampings]
+    expected = [merits(alone(member, Bench(member))) for member in members]
+    for order in (range(4), reversed(range(4))):
+        chosen = list(order)
+        for i, found in zip(chosen, Batch(nominal).run([members[i] for i in chosen]), strict=True):
+            assert isinstance(found, Tally)
+            assert merits(found) == pytest.approx(expected[i], rel=1e-6, abs=1e-12)
+
+
+def test_a_shaken_base_moves_a_changed_plant_by_its_own_inertia() -> None:
+    shaken = dampen.Sum(
+        terms=(dampen.BaseShaking(frequencies=(0.5, 1.7), amplitudes=(0.05, 0.1)), dampen.MovingLoad(force=1.0, speed=9.0))
+    )
+    nominal = replace(dampen.read_scenario("string-tip-mass", ["task.trials=2"]), disturbance=shaken)
+    plant: Any = nominal.plant
+    batch = Batch(nominal)
+    for mass in (0.6, 1.5):
+        member = replace(nominal, plant=replace(plant, tip_mass=mass * plant.tip_mass))
+        assert batch.bench_of(member).carried is not None
+        expected = merits(alone(member, Bench(member)))
+        assert merits(outcome(batch, member)) == pytest.approx(expected, rel=1e-5, abs=1e-9)
+
+
+def test_a_law_that_learns_in_its_own_way_is_let() -> None:
+    nominal = scenario(*SHORT)
+    own = replace(nominal, controller=Forgetful())
+    assert not in_step(own)
+    result = dampen.simulate(own)
+    np.testing.assert_allclose(outcome(Batch(own), own).by_port[:, 0, PEAK], largest(result, "y", "tip_w"), rtol=1e-12)
+    assert outcome(Batch(nominal), nominal).by_port[3, 0, PEAK] != pytest.approx(largest(result, "y", "tip_w")[3], rel=1e-3)
+
+
+@dataclass(frozen=True)
+class Forgetful(dampen.DualLoopAILC):
+    """Keeps a fifth of what it learns."""
+
+    def learn(self, memory: Any, trial: Any, setting: Any) -> Any:
+        return {name: 0.2 * value for name, value in super().learn(memory, trial, setting).items()}
+
+
+def test_the_peak_of_all_ports_is_a_share_of_the_constraint_however_it_lies() -> None:
+    uneven = dampen.read_scenario("string-tip-mass", ["task.trials=3"])
+    found = merits(outcome(Batch(uneven), uneven))
+    assert found["peak"] == pytest.approx(1 - found["margin"], rel=1e-12)  # all trials are late ones here
+    free = scenario(*SHORT, "controller.barrier=none", "task.constraint={tip_w=10.0}")
+    found = merits(outcome(Batch(free), free))
+    assert found["peak"] == pytest.approx(found["peak.tip_w"] / 10, rel=1e-12)

@@ -399,8 +399,8 @@ LINES = {
     ("sweep", "he2017", "--vary", "controller.alpha_44=1:2:3"): "Argument `controller.alpha_44` is not known; did you mean",
     ("tune", "he2017", *SEARCH, "--objective", "peek"): "Argument `objective` must be a figure of merit, but is 'peek'; did you",
     ("tune", "he2017", "--search", "controller.alpha_4=0:2:log"): "Option `--search controller.alpha_4` must have LOW > 0",
-    ("tune", "he2017", *SEARCH, "--budget", "0"): "Argument `budget` must be >= 1, but is 0.",
-    ("robust", "he2017", *MASS, "--samples", "0"): "Argument `samples` must be from 1 to 10000000, but is 0.",
+    ("tune", "he2017", *SEARCH, "--budget", "0"): "Argument `budget` must be a whole number >= 1, but is 0.",
+    ("robust", "he2017", *MASS, "--samples", "0"): "Argument `samples` must be a whole number >= 1, but is 0.",
     ("robust", "he2017", *MASS, "--sampler", "halton"): 'Argument `sampler` must be "sobol" or "latin", but is',
     ("robust", "he2017", *MASS, *MASS): "Option `--uncertain plant.tip_mass` must be given once, but is given 2 times.",
     ("resume", "nowhere"): "Study folder `nowhere` is not a study: study.toml and scenario.toml cannot be read: No such file",
@@ -415,3 +415,80 @@ def test_bad_input_on_the_command_line_is_one_line_and_status_2(arguments: tuple
     assert len(done.stderr.strip().splitlines()) == 1, done.stderr
     assert done.stderr.startswith(LINES[arguments])
     assert list(tmp_path.iterdir()) == [], "nothing was written"
+
+
+def test_two_processes_do_not_run_one_study(short: dampen.Scenario, tmp_path: Path) -> None:
+    study = new_study(sweep_of(short, ["controller.alpha_4=1:2:4"]), tmp_path / "a")
+    held: list[str] = []
+
+    def meanwhile(done: int, total: int, failed: int) -> None:
+        if not held:
+            other = dampen_command("resume", "a", "--no-report", cwd=tmp_path)
+            held.append(other.stderr)
+            assert other.returncode == 2
+
+    study.run(Here(), meanwhile)
+    assert held == ["Study folder `a` is being run by another process.\n"]
+    assert study.complete
+
+
+def test_lists_can_be_varied_and_are_kept_as_they_are_written(tmp_path: Path) -> None:
+    case = scenario(*SHORT, "controller.barrier=none")
+    study = sweep(case, {"task.constraint.tip_w": [[-0.1, 0.2], [-0.2, 0.2], 0.3]}, folder=tmp_path / "a", engine=Here())
+    assert list(study.table["task.constraint.tip_w"]) == ["[-0.1, 0.2]", "[-0.2, 0.2]", 0.3]
+    assert list(open_study(tmp_path / "a").table["task.constraint.tip_w"]) == ["[-0.1, 0.2]", "[-0.2, 0.2]", "0.3"]
+    assert study.table["margin"].is_monotonic_increasing
+
+
+def test_whole_numbers_are_each_as_likely_and_stay_within_their_range(short: dampen.Scenario) -> None:
+    axis = read_axis("uncertain", "task.trials=1:3", short)
+    taken = axis.at(np.linspace(0, 1, 300, endpoint=False))
+    assert list(np.unique(taken, return_counts=True)[1]) == [100, 100, 100]
+    found = tune(short, {"task.trials": "1.5:3.5"}, "effort", budget=8, population=8, engine=Here()).table
+    assert set(found["task.trials"]) <= {2, 3}
+    with pytest.raises(dampen.ArgumentError, match="must have a range with a whole number in it"):
+        read_axis("search", "numerics.modes=10.2:10.4", short)
+
+
+def test_a_scenario_s_own_modules_are_found_again(tmp_path: Path) -> None:
+    (tmp_path / "own_module_of_a_study.py").write_text(POISON)
+    text = "based_on = 'he2017'\nname = 'own'\n[controller]\nkind = 'own_module_of_a_study:Poison'\ndamping = { tip_w = 5.0 }\n"
+    (tmp_path / "mine.toml").write_text(text)
+    case = dampen.read_scenario(tmp_path / "mine.toml", SHORT)
+    study = sweep(case, {"controller.damping.tip_w": [2.0, 3.0]}, folder=tmp_path / "study", engine=1)
+    assert "refused" not in set(study.table["status"])
+    assert open_study(tmp_path / "study").definition.home == tmp_path.resolve()
+
+
+BAD_CALLS: dict[str, Any] = {
+    "must have a range as text, or a list of values": lambda s: sweep(s, {"controller.alpha_4": 1.0}),
+    "`samples` must be a whole number >= 1, but is 10.5": lambda s: robust(s, {"plant.tip_mass": "+-30%"}, samples=10.5),
+    "`seed` must be a whole number >= 0, but is -1": lambda s: robust(s, {"plant.tip_mass": "+-30%"}, seed=-1),
+    "`budget` must be a whole number >= 1, but is 5.5": lambda s: tune(s, GAINS, budget=5.5),
+    "`engine` must be a whole number >= 1, but is 0": lambda s: sweep(s, {"controller.alpha_4": [1.0, 2.0]}, engine=0),
+    "`scenario` must be a Scenario": lambda s: sweep("he2017", {"controller.alpha_4": [1.0, 2.0]}),
+}
+
+
+@pytest.mark.parametrize("says", list(BAD_CALLS))
+def test_a_wrong_argument_in_python_is_one_clear_line(says: str, short: dampen.Scenario) -> None:
+    with pytest.raises(dampen.ArgumentError) as error:
+        BAD_CALLS[says](short)
+    assert len(error.value.lines) == 1
+    assert says in error.value.lines[0]
+
+
+def test_numpy_arrays_are_values_too(short: dampen.Scenario) -> None:
+    assert sweep_of(short, ["controller.alpha_4=1.0,2.0"]).axes[0].values == (1.0, 2.0)
+    study = sweep(short, {"controller.alpha_4": np.linspace(1.0, 2.0, 2)}, engine=Here())
+    assert list(study.table["controller.alpha_4"]) == [1.0, 2.0]
+    with pytest.raises(dampen.ArgumentError, match="`objective` must be a figure of merit, but is 'foo'"):
+        best_scenario(study, "foo")
+
+
+def test_a_study_that_could_not_begin_leaves_nothing_behind(tmp_path: Path) -> None:
+    arguments = ("sweep", "he2017", "--vary", "controller.alpha_4=1:2:2", "--out", "a", "--scheduler", "tcp://127.0.0.1:1")
+    done = dampen_command(*arguments, cwd=tmp_path)
+    assert done.returncode == 2
+    assert len(done.stderr.strip().splitlines()) == 1
+    assert list(tmp_path.iterdir()) == []

@@ -107,7 +107,7 @@ class Component(ABC):  # noqa: B024  (families below have abstract methods)
     kind: ClassVar[str] = ""
 
     def __post_init__(self) -> None:
-        values = {f.name: _plain(getattr(self, f.name)) for f in fields(self)}
+        values = {f.name: plain_value(getattr(self, f.name)) for f in fields(self)}
         for name, value in check(type(self), values).items():
             object.__setattr__(self, name, value)
         self.check()
@@ -232,15 +232,15 @@ def _plural(base: Any) -> str:
     return name.replace("list of", "lists of", 1) if name.startswith("list of") else f"{name}s"
 
 
-def _plain(value: Any) -> Any:
+def plain_value(value: Any) -> Any:
     """Lists, tables, NumPy's and sparse arrays become tuples and dicts of Python's numbers, so that any may be given."""
     if isinstance(value, list | tuple):
-        return tuple(_plain(v) for v in value)
+        return tuple(plain_value(v) for v in value)
     if isinstance(value, dict):
-        return {key: _plain(v) for key, v in value.items()}
+        return {key: plain_value(v) for key, v in value.items()}
     if type(value).__module__.startswith("scipy.sparse"):
         value = value.toarray()
-    return _plain(value.tolist()) if type(value).__module__ == "numpy" and hasattr(value, "tolist") else value
+    return plain_value(value.tolist()) if type(value).__module__ == "numpy" and hasattr(value, "tolist") else value
 
 
 def _lines(cls: type, values: Mapping[str, Any], errors: Sequence[Any]) -> list[str]:

@@ -39,8 +39,13 @@ class Merit:
 
 
 MERITS = (
-    Merit("peak", "motion", "largest |error| in the last five trials", together="the largest, as a share of the constraint"),
-    Merit("residual", "motion", "root mean square error in the last five trials", together="the largest, as a share of it"),
+    Merit("peak", "motion", "largest |error| in the last five trials", together="the largest share of the constraint"),
+    Merit(
+        "residual",
+        "motion",
+        "root mean square error in the last five trials",
+        together="the largest, as a share of the constraint where it is tightest",
+    ),
     Merit("largest", "motion", "largest |error| in the whole run"),
     Merit("margin", "", "1 - largest share of the constraint that was used; below 0: lost", "high", "the least"),
     Merit("effort", "effort", "root mean square of the delivered force over the run", together="root of the summed squares"),
@@ -95,11 +100,11 @@ def merits(tally: Tally) -> dict[str, float]:
         "chatter": figures[:, :, VARIATION].sum(axis=0),
         "stuck": figures[:, :, STUCK].mean(axis=0),
     }
-    room = rooms(scenario)
     limited = np.array([port in scenario.task.constraint for port in scenario.ports])
+    counted = limited if limited.any() else ~limited
     together = {
-        "peak": (by_port["peak"] / room).max(),
-        "residual": (by_port["residual"] / room).max(),
+        "peak": (late[:, :, SHARE].max(axis=0) if limited.any() else by_port["peak"])[counted].max(),
+        "residual": (by_port["residual"] / rooms(scenario))[counted].max(),
         "margin": by_port["margin"][limited].min(initial=np.inf),
         "effort": np.sqrt((by_port["effort"] ** 2).sum()),
         "chatter": by_port["chatter"].sum(),
@@ -116,7 +121,9 @@ def merits(tally: Tally) -> dict[str, float]:
 
 
 def rooms(scenario: Scenario) -> Array:
-    """(ports,) half the width of each port's constraint as a trial begins [m, rad]; 1 where there is none."""
-    low, high = (limit[0] for limit in scenario.limits(0))
-    half = (high - low) / 2
-    return np.where(np.isfinite(half), half, 1.0)
+    """(ports,) how far off each port may be where its constraint is tightest, in the first or last trial; 1 without one."""
+    room = np.full(len(scenario.ports), np.inf)
+    for trial in {0, scenario.task.trials - 1}:
+        reference, (low, high) = scenario.reference(trial), scenario.limits(trial)
+        room = np.minimum(room, np.minimum(high - reference, reference - low).min(axis=0))
+    return np.where(np.isfinite(room), room, 1.0)

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 import typer
 
 from dampen.cli.terminal import BROKE_OFF, ScenarioArgument, SetOption, err, free_folder, out, show_table, working
+from dampen.component import ArgumentError
 
 if TYPE_CHECKING:
     from dampen.studies.definition import Definition
@@ -144,7 +145,12 @@ def _start(definition: Definition, folder: Path | None, workers: int | None, sch
 
     Bench(definition.scenario)  # refuses what cannot be resolved, before anything is written
     name = f"{definition.scenario.name}-{definition.kind}"
-    _go_on(new_study(definition, free_folder(folder, name)), workers, scheduler, report)
+    study = new_study(definition, free_folder(folder, name))
+    try:
+        _go_on(study, workers, scheduler, report)
+    except ArgumentError:
+        study.discard()  # a folder without a row is of no use
+        raise
 
 
 def _go_on(study: Study, workers: int | None, scheduler: str | None, report: bool) -> None:

@@ -71,11 +71,11 @@ class Batch:
         nominal = self.nominal
         same_times = all(getattr(member.task, name) == getattr(nominal.task, name) for name in SHARED)
         if member.disturbance != nominal.disturbance or member.numerics != nominal.numerics or not same_times:
-            return Bench(member)
+            return Bench(member, keep=0)
         if member.plant == nominal.plant:
             return self.bench
         found = self._basis.reprojected(member.plant, member.numerics.modes) if self._basis else None
-        return Bench(member) if found is None else Bench(member, found[0], (self._carrier, found[1]))
+        return Bench(member, keep=0) if found is None else Bench(member, found[0], (self._carrier, found[1]))
 
     @cached_property
     def _basis(self) -> FixedBasis | None:
@@ -97,7 +97,7 @@ class Batch:
             except ArgumentError as error:
                 outcomes[i] = error
                 continue
-            kind = kind_of_member(member) if in_step(member) else i
+            kind = kind_of_member(member, bench) if in_step(member) else i
             same = next((benches for other, benches in kinds if other == kind), None)
             kinds.append((kind, {i: bench})) if same is None else same.update({i: bench})
         for _, benches in kinds:

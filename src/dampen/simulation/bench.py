@@ -38,17 +38,20 @@ class Bench:
     carried: another bench with the same disturbance, and the modes in terms of its own, shapes(x) = its shapes(x) @ mix, with
              mix (its modes, modes): what is spread along the structure is then sampled and projected there, once for all benches
              that it carries.
+    keep:    bytes of loads that are kept at most; the last one is in any case.
 
     Raises ArgumentError for what modes and step cannot resolve; `warnings` says where that is thin.
     """
 
-    def __init__(self, scenario: Scenario, modes: Modes | None = None, carried: tuple[Bench, Array] | None = None):
+    def __init__(
+        self, scenario: Scenario, modes: Modes | None = None, carried: tuple[Bench, Array] | None = None, keep: int = LOADS_KEPT
+    ):
         numerics, plant = scenario.numerics, scenario.plant
         self.scenario = scenario
         self.site = Site(plant.ports, plant.span, scenario.task.trial_duration)
         on_grid = numerics.discretisation == "finite-difference"
         self.grid = numerics.points if on_grid else None
-        self.carried = carried
+        self.carried, self.keep = carried, keep
         self.modes: Modes = modes_of(plant, numerics.modes, self.grid) if modes is None else modes
         self.motion = propagator(self.modes, numerics.step)
         self.step = exact_step(self.modes, self.motion, numerics.step)
@@ -152,13 +155,15 @@ class Bench:
             carrier, mix = self.carried
             disturbance, (in_time, in_modes) = carrier.shaking(trial)[0], carrier.factors(trial)
             own = in_modes @ mix
+            if len(own) < in_time.shape[1]:  # the base is shaken
+                own = np.vstack([own, -self._translation])
             load = np.matmul(in_time, np.hstack([own, own @ self._give]), out=into)
             return disturbance, load, load[:, self.modes.count :] + disturbance @ self.step.g
         key = self.scenario.disturbance.same_as(trial)
         with self._lock:
             if key not in self._loads:
                 shaken = self._shaken(key)
-                if (len(self._loads) + 1) * shaken[1].nbytes > LOADS_KEPT:
+                if (len(self._loads) + 1) * shaken[1].nbytes > self.keep:
                     self._loads.clear()
                 self._loads[key] = shaken
             disturbance, load, drift = self._loads[key]
@@ -167,19 +172,25 @@ class Bench:
         return disturbance, load if into is None else into, drift
 
     def factors(self, trial: int) -> tuple[Array, Array]:
-        """The modal load as a product, (steps, rank) by (rank, modes), to round-off: what it puts along a structure has far fewer
-        shapes than there are modes, and each bench that this one carries needs another product with it."""
+        """What is spread along the structure as a product, (steps, rank) by (rank, modes), to round-off: it has far fewer shapes
+        than there are modes, and each bench that this one carries needs another product with it. Where the base is shaken, its
+        acceleration is a column more of the first factor: how that pushes modes is each bench's own."""
         key = self.scenario.disturbance.same_as(trial)
-        _, load, _ = self.shaking(trial)
         with self._lock:
             if key not in self._factors:
                 from scipy.linalg import svd
 
+                load = np.zeros((len(self.midpoints), self.modes.count))
+                for part in self.scenario.disturbance.parts:
+                    with blame(part, "load"):
+                        self._add_load(load, part, key)
                 in_time, size, in_modes = svd(load, full_matrices=False, check_finite=False)
                 rank = int(np.sum(size > ROUND_OFF * size[0]))
-                if len(self._factors) > len(self._loads):
+                acceleration = self._acceleration(key)
+                columns = [in_time[:, :rank], *([] if acceleration is None else [acceleration[:, None]])]
+                if (len(self._factors) + 1) * in_time.nbytes > self.keep:
                     self._factors.clear()
-                self._factors[key] = in_time[:, :rank].copy(), size[:rank, None] * in_modes[:rank]
+                self._factors[key] = np.hstack(columns), size[:rank, None] * in_modes[:rank]
             return self._factors[key]
 
     def _shaken(self, trial: int) -> tuple[Array, Array, Array]:
@@ -193,7 +204,26 @@ class Bench:
                     disturbance += at_ports
             with blame(part, "load"):
                 self._add_load(load, part, trial)
+        acceleration = self._acceleration(trial)
+        if acceleration is not None:
+            load -= np.outer(acceleration, self._translation)
         return disturbance, load, self._drift(disturbance, load)
+
+    def _acceleration(self, trial: int) -> Array | None:
+        """(steps,) acceleration of the base [m/s^2]; None where nothing shakes it."""
+        total = None
+        for part in self.scenario.disturbance.parts:
+            with blame(part, "base_acceleration"):
+                own = part.base_acceleration(trial, self.midpoints, self.site)
+            if own is not None:
+                total = own if total is None else total + own
+        return total
+
+    @property
+    def _translation(self) -> Array:
+        if self.modes.translation is None:
+            raise ArgumentError("Argument `disturbance` shakes the base, but this plant cannot be shaken there.")
+        return self.modes.translation
 
     def _drift(self, disturbance: Array, load: Array) -> Array:
         """(steps, ports) mean velocities that port disturbances and modal load give the ports in a step."""
@@ -214,11 +244,6 @@ class Bench:
         if part.point_field is not None:
             place, force = part.point_load(trial, t, self.site)
             load += force[:, None] * modes.field(part.point_field).shapes(place)
-        acceleration = part.base_acceleration(trial, t, self.site)
-        if acceleration is not None:
-            if modes.translation is None:
-                raise ArgumentError("Argument `disturbance` shakes the base, but this plant cannot be shaken there.")
-            load -= np.outer(acceleration, modes.translation)
 
 
 def output_points(scenario: Scenario) -> Array:

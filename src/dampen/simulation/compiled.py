@@ -77,7 +77,10 @@ def _with_compiled_callees(function: FunctionType, done: dict[str, Any]) -> Func
         elif key not in done:
             done[key] = _jit(f, inline=True)(_with_compiled_callees(f, done))
         compiled_callees[name] = done[key]
-    return bind(function, **compiled_callees)
+    named = bind(function, **compiled_callees)
+    # the name becomes the linker's: two variants loaded from disk under one name would be taken for one another
+    named.__name__ = named.__qualname__ = f"{function.__name__}_{_key(function)}"
+    return named
 
 
 def _callees(function: FunctionType) -> Iterator[tuple[str, FunctionType]]:

@@ -25,16 +25,18 @@ Array = np.ndarray
 
 def in_step(scenario: Scenario) -> bool:
     """Whether a scenario can be a member: its law acts continuously, and learns point by point or not at all."""
-    controller = scenario.controller
-    learns = type(controller).learn is not Controller.learn
-    return not scenario.sampled and (isinstance(controller, PointwiseLearning) or not learns)
+    law = type(scenario.controller)
+    hooks = ("begin", "law", "learn")
+    pointwise = issubclass(law, PointwiseLearning) and all(getattr(law, n) is getattr(PointwiseLearning, n) for n in hooks)
+    return not scenario.sampled and (pointwise or law.learn is Controller.learn)
 
 
-def kind_of_member(scenario: Scenario) -> tuple[Any, ...]:
-    """Members that agree in this go through one compiled call: stages, law, trials and numerics."""
+def kind_of_member(scenario: Scenario, bench: Bench) -> tuple[Any, ...]:
+    """Members that agree in this go through one compiled call: stages, law, trials, numerics, and whether modes are damped."""
     stages = tuple(tuple(map(type, scenario.chain(p))) for p in range(len(scenario.ports)))
     task, law = scenario.task, scenario.controller
-    return stages, type(law), law.barrier_shape, task.trials, task.trial_duration, task.start, scenario.numerics
+    times = task.trials, task.trial_duration, task.start
+    return stages, type(law), law.barrier_shape, times, scenario.numerics, bench.modes.damped
 
 
 class Lockstep:

@@ -2,15 +2,18 @@
 
 from __future__ import annotations
 
+import re
+import sys
 from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
+from dampen.component import ArgumentError, plain_value
 from dampen.simulation.scenario import Scenario
-from dampen.studies.definition import Definition, robust_of, sweep_of, tune_of
+from dampen.studies.definition import Definition, robust_of, sweep_of, tune_of, whole
 from dampen.studies.engines import Cluster, Cores, Engine
 from dampen.studies.study import Progress, Study, new_study, open_study
-from dampen.toml import literal
+from dampen.toml import literal, to_toml
 
 Ranges = Mapping[str, str | Sequence[Any]] | Sequence[str]
 
@@ -32,7 +35,7 @@ def sweep(
 
     Raises ArgumentError for a path or range that is not one.
     """
-    return _run(sweep_of(scenario, _texts(vary)), folder, engine, progress)
+    return _run(sweep_of(scenario, _texts(vary), home_of(scenario)), folder, engine, progress)
 
 
 def robust(
@@ -52,7 +55,7 @@ def robust(
     sampler:   "sobol" (scrambled, the design's base a power of two) or "latin".
     The rest as for `sweep`.
     """
-    return _run(robust_of(scenario, _texts(uncertain), samples, sampler, seed), folder, engine, progress)
+    return _run(robust_of(scenario, _texts(uncertain), samples, sampler, seed, home_of(scenario)), folder, engine, progress)
 
 
 def tune(
@@ -80,7 +83,10 @@ def tune(
     names = (objective,) if isinstance(objective, str) else tuple(objective)
     over = _texts(robust_over)
     return _run(
-        tune_of(scenario, _texts(search), names, budget, population, seed, over, robust_samples), folder, engine, progress
+        tune_of(scenario, _texts(search), names, budget, population, seed, over, robust_samples, home_of(scenario)),
+        folder,
+        engine,
+        progress,
     )
 
 
@@ -90,17 +96,43 @@ def resume(folder: str | Path, *, engine: Engine | int | str | None = None, prog
 
 
 def _run(definition: Definition, folder: str | Path | None, engine: Any, progress: Progress | None) -> Study:
-    return new_study(definition, None if folder is None else Path(folder)).run(_engine(engine), progress)
+    study = new_study(definition, None if folder is None else Path(folder))
+    try:
+        return study.run(_engine(engine), progress)
+    except ArgumentError:
+        study.discard()
+        raise
+
+
+def home_of(scenario: Scenario) -> Path:
+    """The folder of the module from which a scenario has its first class of the user's own; the current one without any."""
+    text = to_toml(scenario) if isinstance(scenario, Scenario) else ""
+    for module in re.findall(r'"([A-Za-z_][\w.]*):[A-Za-z_]\w*"', text):
+        file = getattr(sys.modules.get(module), "__file__", None)
+        if file and module != "__main__":
+            return Path(file).resolve().parents[module.count(".")]
+    return Path().resolve()
 
 
 def _engine(given: Engine | int | str | None) -> Engine | None:
     if isinstance(given, str):
         return Cluster(given)
-    return Cores(given) if isinstance(given, int) else given
+    if isinstance(given, int):
+        return Cores(whole("engine", given, 1))
+    return given
 
 
 def _texts(ranges: Ranges) -> Sequence[str]:
     if not isinstance(ranges, Mapping):
         return [ranges] if isinstance(ranges, str) else list(ranges)
-    written = {path: r if isinstance(r, str) else ",".join(literal(value) for value in r) for path, r in ranges.items()}
-    return [f"{path}={text}" for path, text in written.items()]
+    return [f"{path}={_written(path, given)}" for path, given in ranges.items()]
+
+
+def _written(path: str, given: Any) -> str:
+    """A range as the command line has it."""
+    if isinstance(given, str):
+        return given
+    values = plain_value(given)
+    if not isinstance(values, tuple) or not values:
+        raise ArgumentError(f"Argument `{path}` must have a range as text, or a list of values, but has {given!r}.")
+    return ",".join(literal(value) for value in values)

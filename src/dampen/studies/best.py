@@ -7,8 +7,8 @@ from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from dampen.analysis.merits import merit, merits
-from dampen.component import ArgumentError
+from dampen.analysis.merits import columns, merit, merits
+from dampen.component import ArgumentError, suggestion
 from dampen.simulation.batch import Batch, Tally
 from dampen.simulation.scenario import Scenario
 from dampen.studies.search import feasible
@@ -35,10 +35,13 @@ def nominal_merits(study: Study) -> dict[str, float] | None:
 def best_scenario(study: Study, objective: str | None = None) -> Scenario:
     """The scenario of the best member, in the study's first objective unless told. Raises ArgumentError where there is none."""
     definition = study.definition
+    known = columns(definition.scenario)
+    if objective is not None and objective not in known:
+        raise ArgumentError(f"Argument `objective` must be a figure of merit, but is {objective!r}{suggestion(objective, known)}")
     row = best_row(study, objective or (*definition.objectives, "peak")[0])
     if row is None:
         raise ArgumentError("This study has no member yet that keeps the constraint.")
-    found = member(definition.scenario, definition.axes, row)
+    found = member(definition.scenario, definition.axes, definition.design[row["member"]] if definition.design else row)
     return replace(found, name=f"{found.name}-tuned"[:60] if definition.kind == "tune" else found.name)
 
 

@@ -125,8 +125,9 @@ def robust_of(
     axes = read_axes("uncertain", uncertain, scenario)
     if sampler not in ("sobol", "latin"):
         raise wrong("sampler", 'be "sobol" or "latin"', sampler)
-    if not 1 <= samples <= MEMBERS_AT_MOST:
-        raise wrong("samples", f"be from 1 to {MEMBERS_AT_MOST}", samples)
+    if whole("samples", samples, 1) > MEMBERS_AT_MOST:
+        raise wrong("samples", f"be <= {MEMBERS_AT_MOST}", samples)
+    whole("seed", seed, 0)
     base = -(-samples // (len(axes) + 2))
     base = 1 << (base - 1).bit_length() if sampler == "sobol" else base
     return Definition("robust", scenario, axes, seed, max(base, 2), sampler, home=home)  # type: ignore[arg-type]
@@ -152,9 +153,9 @@ def tune_of(
         raise ArgumentError("Argument `objective` must name each figure of merit once, and at least one.")
     if population is None:
         population = 16 + int(6 * np.log(len(axes) + 1)) if len(objective) == 1 else 40  # large: the ground is rugged
-    for name, value, least in (("budget", budget, 1), ("population", population, 4), ("robust_samples", robust_samples, 1)):
-        if value < least:
-            raise wrong(name, f"be >= {least}", value)
+    limits = (("budget", budget, 1), ("population", population, 4), ("robust_samples", robust_samples, 1), ("seed", seed, 0))
+    for name, value, least in limits:
+        whole(name, value, least)
     over = read_axes("uncertain", robust_over, scenario)
     return Definition(
         "tune", scenario, axes, seed, objectives=tuple(objective), budget=budget, population=population, robust_axes=over,
@@ -162,8 +163,17 @@ def tune_of(
     )  # fmt: skip
 
 
+def whole(name: str, value: Any, least: int) -> int:
+    """`value`, if it is a whole number that is large enough. Raises ArgumentError."""
+    if not isinstance(value, int) or isinstance(value, bool) or value < least:
+        raise wrong(name, f"be a whole number >= {least}", value)
+    return value
+
+
 def read_axes(option: Option, texts: Sequence[str], scenario: Scenario) -> tuple[Axis, ...]:
     """All axes of an option."""
+    if not isinstance(scenario, Scenario):
+        raise wrong("scenario", "be a Scenario, as `read_scenario` gives it", scenario)
     return tuple(read_axis(option, text, scenario) for text in texts)
 
 

@@ -16,6 +16,8 @@ from typing import Any
 from dampen.component import ArgumentError
 from dampen.studies.evaluate import Row, Work, evaluate
 
+SCHEMES = ("tcp", "tls", "ws", "wss", "ucx", "ucxx", "inproc")
+
 
 class Engine(ABC):
     """Lends an executor with a number of workers; `renew` after a worker has died."""
@@ -99,6 +101,10 @@ class Cluster(Engine):
             import distributed
         except ImportError:
             raise ArgumentError("Option `--scheduler` needs dask.distributed: pip install 'dampen[cluster]'.") from None
+        if self.address.partition("://")[0] not in SCHEMES:
+            raise ArgumentError(
+                f"Option `--scheduler` must be the address of a running scheduler, tcp://..., but is {self.address!r}."
+            )
         try:
             client: Any = distributed.Client
             self.client: Any = client(self.address, timeout=10, set_as_default=False)

@@ -62,6 +62,9 @@ def _inside(part: Any, key: str, path: str, above: Sequence[str]) -> Any:
             return part[int(key)]
     else:
         raise ArgumentError(f"Argument `{path}` must name a value, but `{'.'.join(above)}` is one already, {part!r}.")
+    if isinstance(part, Mapping):
+        given = f"given there: {', '.join(known)}" if known else "nothing is given there"
+        raise ArgumentError(f"Argument `{path}` must have a value in the scenario, by --set for example; {given}.")
     hint = suggestion(key, known) if known else "; there is nothing."
     raise ArgumentError(f"Argument `{path}` is not known{hint}")
 

@@ -48,5 +48,4 @@ def latin(count: int, dimensions: int, seed: int) -> Array:
 def sampled(axes: Sequence[Axis], points: np.ndarray) -> list[dict[str, Any]]:
     """Points of the unit cube, (members, axes), as what the axes take."""
     taken = [axis.at(points[:, i]) for i, axis in enumerate(axes)]
-    rounded = [np.round(column) if axis.whole else column for axis, column in zip(axes, taken, strict=True)]
-    return [{axis.name: column[i].item() for axis, column in zip(axes, rounded, strict=True)} for i in range(len(points))]
+    return [{axis.name: column[i].item() for axis, column in zip(axes, taken, strict=True)} for i in range(len(points))]

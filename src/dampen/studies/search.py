@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import warnings
 from collections.abc import Mapping, Sequence
 from typing import Any
@@ -67,7 +68,7 @@ class Search:
         from optuna.distributions import FloatDistribution, IntDistribution
 
         return {
-            axis.name: IntDistribution(round(axis.low), round(axis.high), log=axis.log)
+            axis.name: IntDistribution(math.ceil(axis.low), math.floor(axis.high), log=axis.log)
             if axis.whole
             else FloatDistribution(axis.low, axis.high, log=axis.log)
             for axis in self.definition.axes
@@ -96,10 +97,10 @@ def costs(row: Mapping[str, Any], objectives: Sequence[str]) -> list[float]:
     """What is made small: the objectives, or more than any of them where the constraint is broken."""
     values = [float(row[name]) * (-1 if merit(name).better == "high" else 1) for name in objectives]
     beyond = violation(row)
-    kept = row["status"] == "complete" and np.all(np.isfinite(values))
+    kept = feasible(row) and np.all(np.isfinite(values))
     return values if kept else [BEYOND * (1 + min(max(beyond, 0.0), BROKEN))] * len(values)
 
 
 def feasible(row: Mapping[str, Any]) -> bool:
-    """Whether a member ran to its end within the constraint."""
-    return bool(row["status"] == "complete")
+    """Whether a member ran to its end within the constraint, and all its forces settled."""
+    return bool(row["status"] == "complete" and row["unsettled"] == 0)

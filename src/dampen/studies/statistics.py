@@ -15,6 +15,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from dampen.component import wrong
 from dampen.studies.rows import JUDGED, LOST, Array, by_member, column, counts, statuses
 
 if TYPE_CHECKING:
@@ -22,6 +23,7 @@ if TYPE_CHECKING:
 
 RESAMPLES, AT_ONCE = 1000, 100
 LEVEL = 0.95
+FEWEST = 32  # base rows below which indices would be noise
 FRACTIONS = (0.05, 0.25, 0.5, 0.75, 0.95)
 EXPLAINED = ("peak", "residual", "effort", "margin")
 
@@ -131,8 +133,8 @@ def _resamples(rows: int, seed: int) -> Iterator[Array]:
 def proportion(count: int, of: int, level: float = LEVEL) -> Proportion:
     """The share count / of with its exact interval (Clopper and Pearson 1934).
 
-    It holds for independent samples. Sobol points are spread more evenly than these, so for them it is conservative: wider
-    than it need be. A Latin hypercube's likewise.
+    It holds for independent samples. Sobol points and Latin hypercubes are spread more evenly than these, for which it is as a
+    rule wider than it need be, though nothing guarantees that for a share.
     """
     from scipy.stats import binomtest
 
@@ -148,6 +150,8 @@ def robustness(study: Study) -> Robustness:
     Shares and quantiles are of the rows of A and B only: these are independent samples of the uncertain parameters, while
     each row of an AB repeats all values but one of a row of A, and would count it again.
     """
+    if study.definition.kind != "robust":
+        raise wrong("study", "be one of `robust`", study.definition.kind)
     base, members = study.definition.base, np.asarray(study.table["member"], dtype=int)
     found = statuses(study)
     independent = members < 2 * base
@@ -192,4 +196,4 @@ def merit_indices(study: Study, name: str) -> Indices | None:
     ran = np.isin(statuses(study), ("complete", "constraint_lost"))  # a diverged motion's margin is a number without meaning
     values = by_member(study, np.where(ran, column(study, name), np.nan))[: base * (d + 2)]
     found = sobol_indices(values[:base], values[base : 2 * base], values[2 * base :].reshape(d, base), study.definition.seed)
-    return found if found.rows >= 2 else None
+    return found if found.rows >= FEWEST else None

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
+from contextlib import contextmanager
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -78,7 +79,7 @@ class Study:
             raise ArgumentError(
                 "Argument `scenario` has classes or functions that no other process can make: use the engine `Here`."
             )
-        with interrupt_noted() as stopped, chosen as ready:
+        with running_alone(self.folder), interrupt_noted() as stopped, chosen as ready:
             for members, values, more in self._rounds():
                 table = dict(zip(members, values, strict=True))
                 for rows in hand_out(self.rows.missing(members), lambda piece: self._work(source, piece, table), ready, stopped):  # noqa: B023
@@ -88,6 +89,15 @@ class Study:
                 if stopped():
                     break
         return self
+
+    def discard(self) -> None:
+        """Take the study's folder away again, if no row was ever written."""
+        if self.folder is not None and not self.done:
+            for name in ("study.toml", "scenario.toml", "rows/lock"):
+                (self.folder / name).unlink(missing_ok=True)
+            for folder in (self.folder / "rows", self.folder):
+                if folder.exists() and not any(folder.iterdir()):
+                    folder.rmdir()
 
     def _rounds(self) -> Any:
         """Members, what their axes take, and what else stands in their rows: all at once, or generation by generation."""
@@ -121,6 +131,25 @@ class Study:
         except ArgumentError:
             pass
         return scenario
+
+
+@contextmanager
+def running_alone(folder: Path | None) -> Iterator[None]:
+    """Keep other processes from running the study of a folder; the system lets go of it however this one ends."""
+    try:
+        import fcntl
+    except ImportError:  # not on Windows
+        folder = None
+    if folder is None:
+        yield
+        return
+    (folder / "rows").mkdir(exist_ok=True)
+    with (folder / "rows" / "lock").open("w") as lock:
+        try:
+            fcntl.flock(lock, fcntl.LOCK_EX | fcntl.LOCK_NB)
+        except OSError:
+            raise ArgumentError(f"Study folder `{folder}` is being run by another process.") from None
+        yield
 
 
 def new_study(definition: Definition, folder: Path | None = None) -> Study:

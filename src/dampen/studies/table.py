@@ -12,6 +12,7 @@ from dampen.component import ArgumentError
 from dampen.studies.definition import Definition
 from dampen.studies.evaluate import Row
 from dampen.studies.variation import Axis
+from dampen.toml import literal
 
 if TYPE_CHECKING:
     import pandas
@@ -32,6 +33,8 @@ class Table:
 
     def add(self, rows: Sequence[Row]) -> None:
         """Add rows; they are on disk when this returns. Raises ArgumentError where they cannot be written."""
+        axes = {axis.name for axis in self.definition.axes}
+        rows = [{name: as_kept(value) if name in axes else value for name, value in row.items()} for row in rows]
         if self.folder is not None and rows:
             self._write(rows, self.folder)
         self._keep(rows)
@@ -64,11 +67,14 @@ class Table:
         types = {"integer": pyarrow.int64(), "number": pyarrow.float64(), "text": pyarrow.string(), "truth": pyarrow.bool_()}
         types["numbers"] = pyarrow.list_(pyarrow.float64())
         schema = pyarrow.schema([(name, types[kind]) for name, kind in fields(self.definition)])
-        table = pyarrow.Table.from_pylist(list(rows), schema).replace_schema_metadata({FINGERPRINT: self.definition.fingerprint})
+        texts = {name for name, kind in fields(self.definition) if kind == "text"}
+        plain = [{name: str(value) if name in texts else value for name, value in row.items()} for row in rows]
+        table = pyarrow.Table.from_pylist(plain, schema).replace_schema_metadata({FINGERPRINT: self.definition.fingerprint})
         members = [int(row["member"]) for row in rows]
         path = folder / f"part-{min(members):08d}-{max(members):08d}.parquet"
         hidden = folder / f".{path.name}.{os.getpid()}"
         try:
+            folder.mkdir(exist_ok=True)
             with hidden.open("wb") as file:
                 parquet.write_table(table, file)
                 file.flush()
@@ -101,6 +107,11 @@ def fields(definition: Definition) -> list[tuple[str, str]]:
     found = [(name, "number") for name in columns(definition.scenario)]
     peaks = [(f"peaks.{port}", "numbers") for port in definition.scenario.ports]
     return [("member", "integer"), *generation, *axes, ("status", "text"), ("message", "text"), *found, *peaks]
+
+
+def as_kept(value: Any) -> Any:
+    """What a table can hold of what an axis takes: lists and tables as TOML writes them."""
+    return literal(value) if isinstance(value, list | tuple | dict) else value
 
 
 def _kind(axis: Axis) -> str:

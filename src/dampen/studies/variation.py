@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import re
 import tomllib
 from collections.abc import Mapping
@@ -52,7 +53,14 @@ class Axis:
         return ",".join(self.paths)
 
     def at(self, share: Array) -> Array:
-        """What the axis takes at a share from 0 to 1 of its distribution."""
+        """What the axis takes at a share from 0 to 1 of its distribution; of whole numbers in an even range each is as likely."""
+        if self.whole and not (self.normal or self.log or self.values):
+            least, most = math.ceil(self.low), math.floor(self.high)
+            return np.minimum(np.floor(least + share * (most - least + 1)), most)
+        taken = self._taken(share)
+        return np.round(taken) if self.whole else taken
+
+    def _taken(self, share: Array) -> Array:
         if self.normal:
             from scipy.stats import truncnorm
 
@@ -96,6 +104,8 @@ def read_axis(option: Option, text: str, scenario: Scenario) -> Axis:
     if not axis.factor and all(is_whole(scenario, path) for path in paths):
         values = tuple(dict.fromkeys(round(v) if isinstance(v, float) and axis.low < axis.high else v for v in axis.values))
         axis = replace(axis, whole=True, values=values)
+        if axis.low < axis.high and math.ceil(axis.low) > math.floor(axis.high):
+            raise ArgumentError(f"Option `--{option} {names}` must have a range with a whole number in it, but has {written!r}.")
     _try(option, axis, scenario)
     return axis
 

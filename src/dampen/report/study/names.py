@@ -9,6 +9,7 @@ from typing import Any
 
 from dampen.analysis.merits import merit, merit_unit
 from dampen.component import ArgumentError, parameters
+from dampen.port import Port
 from dampen.report.style import GREEK, percent, plain_text, quantity, typeset
 from dampen.simulation.scenario import Scenario
 from dampen.studies.lens import get
@@ -53,8 +54,10 @@ def _tail(scenario: Scenario, path: str, depth: int) -> str:
     if "chain" in keys[2:3] and len(keys) > 4:  # a stage's parameter says little without the stage: "backlash right"
         stage = str(getattr(get(scenario, ".".join(keys[:4])), "kind", ""))
         keys = [*keys[:2], f"{stage} {'.'.join(keys[4:])}".strip()]
-    own = 2 if keys[-1].isdigit() else 1  # the index of a list's element goes with the list
+    own = 2 if keys[-1].isdigit() or keys[-1] in scenario.ports else 1  # the index of a list's element goes with the list
     name = "[".join(keys[-own:]) + ("]" if own == 2 else "")
+    if keys[-1] in scenario.ports:
+        name = " ".join(keys[-own:])
     above = [key for key in keys[:-own] if not key.isdigit() and key != "chain"]
     return " ".join([*above[len(above) - (depth - 1) :], name]) if depth > 1 else name
 
@@ -98,7 +101,9 @@ def path_unit(scenario: Scenario, path: str) -> str:
     keys = path.split(".")
     port = next((p for p in scenario.plant.ports if p.name == keys[-1]), None)
     if port is not None:
-        return port.effort_unit if keys[0] in ("bounds", "controller") else port.motion_unit
+        return _port_unit(scenario, keys, port)
+    if keys[:2] == ["plant", "initial"] and keys[-1] not in ("0", keys[2]):
+        return ""  # a coefficient of x, x^2, ...
     for depth in range(len(keys) - 1, 0, -1):
         try:
             part: Any = get(scenario, ".".join(keys[:depth]))
@@ -107,6 +112,19 @@ def path_unit(scenario: Scenario, path: str) -> str:
         if is_dataclass(part) and not isinstance(part, type):
             return next((p.unit for p in parameters(type(part)) if p.name == keys[depth]), "")
     return ""
+
+
+def _port_unit(scenario: Scenario, keys: list[str], port: Port) -> str:
+    """The unit of what stands by port's name: its table's meaning has that for forces and that for torques, "[N, N m]"."""
+    if keys[0] == "bounds":
+        return port.effort_unit
+    try:
+        part: Any = get(scenario, ".".join(keys[:-2])) if len(keys) > 2 else scenario
+    except ArgumentError:
+        return ""
+    table = next((p for p in parameters(type(part)) if p.name == keys[-2]), None) if is_dataclass(part) else None
+    pairs = re.findall(r"\[([^\],]+), ([^\],]+)\]", table.doc) if table else []
+    return str(pairs[-1][port.kind == "torque"]) if pairs else ""
 
 
 def merit_label(name: str, scenario: Scenario) -> str:

@@ -88,6 +88,9 @@ def status(study: Study) -> str:
     if study.done and not np.isin(statuses(study), JUDGED).any():
         first = next((text for text in study.table["message"] if text), "")
         parts.append(f"No run could be made. {first}".strip())
+    unsettled = int((column(study, "unsettled") > 0).sum())
+    if unsettled:
+        parts.append(f"In {unsettled:,} runs forces at the ports did not settle in some steps: do not trust these.")
     return " ".join(parts)
 
 
@@ -112,7 +115,7 @@ def _robust(study: Study, found: Robustness) -> str:
         text += ("the constraint was lost in " if limited else "the motion diverged in ") + share_words(found.lost)
     else:
         never = "the constraint was never lost" if limited else "no motion diverged"
-        text += f"{never} (95 %: at most {_two(found.lost.high)} %)"
+        text += f"{never} (95 % interval: 0{DASH}{_two(found.lost.high)} %)"
     text += f", {found.diverged:,} of them diverged" if limited and found.diverged else ""
     if "peak" in found.quantiles:
         q = found.quantiles["peak"]
@@ -124,7 +127,8 @@ def _robust(study: Study, found: Robustness) -> str:
         first = found.indices["peak"].first
         i = int(np.argmax(first))
         if first[i] >= EXPLAINS:
-            text += f"; {plain_name(names[study.definition.axes[i].name])} explains {percent(float(first[i]))} of its variance"
+            share = percent(min(float(first[i]), 1.0))
+            text += f"; {plain_name(names[study.definition.axes[i].name])} explains {share} of its variance"
     return text + "."
 
 

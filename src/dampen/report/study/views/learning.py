@@ -49,13 +49,15 @@ def draw_learning(study: Study, port: str) -> tuple[Figure, str]:
 
 
 def _curves(study: Study, port: str) -> Array:
-    """(runs, trials) largest |error| of each independent sample that ran, infinite after it diverged."""
-    trials = study.definition.scenario.task.trials
+    """(runs, trials) largest |error| of each independent sample that ran, infinite after it diverged; the trials that all had."""
     independent = np.asarray(study.table["member"], dtype=int) < 2 * study.definition.base
     rows = np.flatnonzero(independent & np.isin(statuses(study), JUDGED))
+    peaks = study.table[f"peaks.{port}"].iloc[rows]
+    ended = [len(v) for v, status in zip(peaks, statuses(study)[rows], strict=True) if status != "diverged"]
+    trials = min(ended, default=study.definition.scenario.task.trials)
     curves = np.full((len(rows), trials), np.inf)
-    for i, values in enumerate(study.table[f"peaks.{port}"].iloc[rows]):
-        curves[i, : len(values)] = values[:trials]
+    for i, values in enumerate(peaks):
+        curves[i, : len(values[:trials])] = values[:trials]
     return np.where(np.isnan(curves), np.inf, curves)
 
 

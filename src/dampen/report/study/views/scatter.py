@@ -76,9 +76,11 @@ def _sentence(study: Study, merit: str, shown: list[Axis], names: dict[str, str]
     if not len(at):
         return "No run has a value."
     values = [merit_value(merit, float(v), scenario) for v in (middle[0], middle[-1])]
+    over = f"{plain_name(names[axis.name])} goes from {value_text(at[0])} to {value_text(at[-1])}"
     verb = "rises" if middle[-1] > middle[0] else "falls"
-    text = f"The median {merit_words(merit)} {verb} from {values[0]} to {values[1]} as {plain_name(names[axis.name])} goes from "
-    text += f"{value_text(at[0])} to {value_text(at[-1])}"
+    text = f"The median {merit_words(merit)} {verb} from {values[0]} to {values[1]} as {over}"
+    if len(at) < 2 or values[0] == values[1]:
+        text = f"The median {merit_words(merit)} is {values[0]} throughout"
     lost = np.isin(statuses(study), ("constraint_lost", "diverged"))
     if lost.any():
         text += f"; runs that lost the constraint or diverged have it between {value_text(x[lost].min())} and "
