@@ -19,8 +19,7 @@ from dampen.component import ArgumentError
 from dampen.plants.fixed_basis import FixedBasis
 from dampen.simulation.bench import Bench
 from dampen.simulation.compiled import bind, compiled
-from dampen.simulation.compose import is_ready
-from dampen.simulation.lockstep import Lockstep, in_step, kernel_of, kind_of_member
+from dampen.simulation.lockstep import Lockstep, in_step, kind_of_member
 from dampen.simulation.passes import passes
 from dampen.simulation.scenario import Scenario
 from dampen.simulation.tally import BY_PORT, SHARE, STEPS, WHOLE, tally
@@ -60,11 +59,6 @@ class Batch:
         pieces = [members[i : i + PIECE] for i in range(0, len(members), PIECE)]
         with ThreadPoolExecutor(threads) as pool:
             return [outcome for outcomes in pool.map(self._piece, pieces) for outcome in outcomes]
-
-    def is_ready(self) -> bool:
-        """Whether the nominal scenario's kernel is compiled already."""
-        step_by_step = in_step(self.nominal)
-        return is_ready(kernel_of(self.nominal, self.bench) if step_by_step else self.bench.kernel(self.nominal)[0])
 
     def bench_of(self, member: Scenario) -> Bench:
         """The nominal bench where the member differs in nothing that it holds; else one that it carries, or one of its own."""

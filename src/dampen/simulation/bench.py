@@ -65,7 +65,7 @@ class Bench:
         self._sampled_law: Callable[..., None] | None = None
         self._barrier = "none"
         self._loads: dict[int, tuple[Array, Array, Array]] = {}
-        self._factors: dict[int, tuple[Array, Array]] = {}
+        self._factors: dict[int, tuple[Array, Array, Array]] = {}
         self._lock = RLock()  # threads may share a bench
 
     @cached_property
@@ -153,7 +153,7 @@ class Bench:
         """
         if self.carried is not None:
             carrier, mix = self.carried
-            disturbance, (in_time, in_modes) = carrier.shaking(trial)[0], carrier.factors(trial)
+            disturbance, in_time, in_modes = carrier.factors(trial)
             own = in_modes @ mix
             if len(own) < in_time.shape[1]:  # the base is shaken
                 own = np.vstack([own, -self._translation])
@@ -171,10 +171,11 @@ class Bench:
             into[:, : self.modes.count] = load
         return disturbance, load if into is None else into, drift
 
-    def factors(self, trial: int) -> tuple[Array, Array]:
-        """What is spread along the structure as a product, (steps, rank) by (rank, modes), to round-off: it has far fewer shapes
-        than there are modes, and each bench that this one carries needs another product with it. Where the base is shaken, its
-        acceleration is a column more of the first factor: how that pushes modes is each bench's own."""
+    def factors(self, trial: int) -> tuple[Array, Array, Array]:
+        """Disturbance (steps, ports), and what is spread along the structure as a product, (steps, rank) by (rank, modes), to
+        round-off: it has far fewer shapes than there are modes, and each bench that this one carries needs another product with
+        it. Where the base is shaken, its acceleration is a column more of the first factor: how that pushes modes is each bench's
+        own."""
         key = self.scenario.disturbance.same_as(trial)
         with self._lock:
             if key not in self._factors:
@@ -190,24 +191,29 @@ class Bench:
                 columns = [in_time[:, :rank], *([] if acceleration is None else [acceleration[:, None]])]
                 if (len(self._factors) + 1) * in_time.nbytes > self.keep:
                     self._factors.clear()
-                self._factors[key] = np.hstack(columns), size[:rank, None] * in_modes[:rank]
+                self._factors[key] = self._at_ports(key), np.hstack(columns), size[:rank, None] * in_modes[:rank]
             return self._factors[key]
 
     def _shaken(self, trial: int) -> tuple[Array, Array, Array]:
         """The same, sampled."""
-        disturbance = np.zeros((len(self.midpoints), len(self.site.ports)))
-        load = aligned(np.zeros((len(self.midpoints), self.modes.count)))
+        disturbance, load = self._at_ports(trial), aligned(np.zeros((len(self.midpoints), self.modes.count)))
         for part in self.scenario.disturbance.parts:
-            with blame(part, "at_ports"):
-                at_ports = part.at_ports(trial, self.midpoints, self.site)
-                if at_ports is not None:
-                    disturbance += at_ports
             with blame(part, "load"):
                 self._add_load(load, part, trial)
         acceleration = self._acceleration(trial)
         if acceleration is not None:
             load -= np.outer(acceleration, self._translation)
         return disturbance, load, self._drift(disturbance, load)
+
+    def _at_ports(self, trial: int) -> Array:
+        """(steps, ports) disturbance at the ports."""
+        disturbance = np.zeros((len(self.midpoints), len(self.site.ports)))
+        for part in self.scenario.disturbance.parts:
+            with blame(part, "at_ports"):
+                at_ports = part.at_ports(trial, self.midpoints, self.site)
+                if at_ports is not None:
+                    disturbance += at_ports
+        return disturbance
 
     def _acceleration(self, trial: int) -> Array | None:
         """(steps,) acceleration of the base [m/s^2]; None where nothing shakes it."""

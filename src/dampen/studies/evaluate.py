@@ -37,13 +37,12 @@ class Work:
     values: tuple[Values, ...]
     over_axes: tuple[Axis, ...] = ()
     over: tuple[Values, ...] = ()
-    threads: int = 1
 
     @property
     def parts(self) -> list[Work]:
         """Each member by itself."""
         split = zip(self.members, self.values, strict=True)
-        return [Work(self.scenario, self.axes, (i,), (v,), self.over_axes, self.over, self.threads) for i, v in split]
+        return [Work(self.scenario, self.axes, (i,), (v,), self.over_axes, self.over) for i, v in split]
 
 
 def evaluate(work: Work) -> list[Row]:
@@ -60,7 +59,7 @@ def _evaluate(work: Work) -> list[Row]:
     axes, over = (*work.axes, *work.over_axes), work.over or ({},)
     made = [attempt(batch.nominal, axes, {**values, **more}) for values in work.values for more in over]
     try:
-        outcomes = run(batch, made, work.threads)
+        outcomes = run(batch, made)
     except Exception as error:
         if len(work.members) > 1:
             return [row for part in work.parts for row in _evaluate(part)]
@@ -101,9 +100,9 @@ def attempt(nominal: Scenario, axes: tuple[Axis, ...], values: Values) -> Scenar
         return error
 
 
-def run(batch: Batch, made: Sequence[Scenario | ArgumentError], threads: int) -> list[Outcome]:
+def run(batch: Batch, made: Sequence[Scenario | ArgumentError]) -> list[Outcome]:
     """The outcomes of those that could be made, in all their order."""
-    ran = iter(batch.run([case for case in made if isinstance(case, Scenario)], threads))
+    ran = iter(batch.run([case for case in made if isinstance(case, Scenario)]))
     return [next(ran) if isinstance(case, Scenario) else case for case in made]
 
 
