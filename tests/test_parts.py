@@ -13,11 +13,11 @@ from hypothesis import strategies as st
 
 import dampen
 from dampen.analysis.claims import Claim, verdict_sentence
+from dampen.analysis.composite_energy import composite_energy
 from dampen.controllers.base import Setting, Trial
 from dampen.controllers.inner_loop import AssumedBacklash, FlankInverse
 from dampen.port import Site
 from dampen.scenarios.he2017.claims import _trend
-from dampen.scenarios.he2017.composite_energy import composite_energy
 from dampen.simulation.log_barrier import EDGE, carried, fresh, gradient
 from dampen.simulation.setting import setting_of
 from dampen.stage import Stage
@@ -203,10 +203,10 @@ def test_composite_energy_with_its_jump_is_the_integral_itself(run: Callable[...
     both = composite_energy(result, (decay,))
     assert both is not None
     expected = math.exp(-decay * 2) * (result["energy"][j][-1] + e3) + e4 + e5
-    assert both[0][j, 0] == pytest.approx(expected, rel=1e-12)
+    assert both.total[j, 0] == pytest.approx(expected, rel=1e-12)
     at_zero = composite_energy(result, (0.0,))
     assert at_zero is not None
-    no_weight = at_zero[1] - at_zero[0]
+    no_weight = at_zero.printed - at_zero.total
     np.testing.assert_allclose(no_weight, 0, atol=1e-9)
 
 

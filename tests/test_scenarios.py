@@ -49,7 +49,7 @@ BAD = {
     "plant.tip_mass=heavy": "Argument `plant.tip_mass` must be a number in kg, but is 'heavy'.",
     "plant.tip_mass=-0.1": "Argument `plant.tip_mass` must be >= 0 kg, but is -0.1.",
     "plant.tip_mass=nan": "Argument `plant.tip_mass` must be a finite number in kg, but is nan.",
-    "actuator.all.chain.0={kind='backlash', right=0.0, left=0.0}": "Argument `actuator.all.chain[0].left` must be < `right`",
+    "actuator.all.chain.0={kind='saturation', low=0.0, high=0.0}": "Argument `actuator.all.chain[0].low` must be < `high`",
     "controller.alpha_2=0.5": "Argument `controller.alpha_2` must be >= 1, but is 0.5.",
     "controller.alpha_3=-1": "Argument `controller.alpha_3` must be > 0 N m, but is -1.",
     "plant.initial.w=[0, 0.25]": "Argument `plant.initial` must put tip_w inside its constraint, |y| < 0.2, but is 0.25.",

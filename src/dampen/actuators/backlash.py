@@ -8,7 +8,6 @@ from typing import Annotated, ClassVar
 from annotated_types import Ge, Gt, Le, Unit
 from typing_extensions import Doc
 
-from dampen.component import check_order
 from dampen.stage import Array, Stage, Step
 
 
@@ -37,9 +36,6 @@ class Backlash(Stage):
     kind: ClassVar[str] = "backlash"
     states: ClassVar[int] = 1
     step: ClassVar[Step] = staticmethod(backlash_step)
-
-    def check(self) -> None:
-        check_order("left", self.left, "right", self.right)
 
     def row(self, dt: float) -> tuple[float, ...]:
         return self.slope, self.right, self.left

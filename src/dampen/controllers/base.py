@@ -16,6 +16,7 @@ from dampen.stage import Stage
 
 Array = np.ndarray
 Memory = Mapping[str, Array]
+Assumption = Literal["alignment", "equal starts", "repetition", "bounds", "moving ports"]
 SampledStep = Callable[[Any, Array, Array, Array], None]
 
 
@@ -65,8 +66,18 @@ def named(**tables: Mapping[str, Any]) -> Mapping[str, str]:
     return {f"{table}.{port}": port for table, given in tables.items() for port in given}
 
 
+def total(terms: Mapping[str, PortLaw]) -> PortLaw:
+    """The law that is the sum of these terms: one at least."""
+    first, *rest = terms.values()
+    return sum(rest, start=first)
+
+
 def _unknown() -> Any:
     raise RuntimeError("This setting has no model.")
+
+
+# The parts of a law at the ports, and what they are called where a law is taken apart.
+LAW = {"feedforward": "feedforward", "coulomb": "Sgn", "damping": "damping", "stiffness": "stiffness", "barrier": "barrier"}
 
 
 @dataclass(frozen=True)
@@ -91,6 +102,18 @@ class PortLaw:
         for name in ("coulomb", "damping", "stiffness", "barrier"):
             if getattr(self, name) is None:
                 object.__setattr__(self, name, np.zeros((steps, ports) if name == "coulomb" else ports))
+
+    def __add__(self, other: PortLaw) -> PortLaw:
+        """Both laws at once."""
+        return PortLaw(*(getattr(self, part) + getattr(other, part) for part in LAW))
+
+    @property
+    def split(self) -> dict[str, PortLaw]:
+        """The law's own parts, those that are not zero, each as a law by itself."""
+        nothing = np.zeros(np.shape(self.feedforward))
+        found = {LAW[part]: getattr(self, part) for part in LAW if np.any(getattr(self, part))}
+        parts = {name: part for part, name in LAW.items()}
+        return {name: PortLaw(**{"feedforward": nothing, parts[name]: value}) for name, value in found.items()}
 
 
 @dataclass(frozen=True)
@@ -117,6 +140,11 @@ class Controller(Component):
         return self.barrier_shape != "none"
 
     @property
+    def relies_on(self) -> tuple[Assumption, ...]:
+        """What the proof behind the law takes for granted, for an audit to look at."""
+        return ()
+
+    @property
     def needs_bounds(self) -> tuple[str, ...]:
         """Which of the stated bounds the law relies on: "f" for the load, "ports" for the ports."""
         return ()
@@ -140,6 +168,13 @@ class Controller(Component):
     @abstractmethod
     def law(self, memory: Memory, setting: Setting) -> PortLaw:
         """The law of the coming trial."""
+
+    def terms(self, memory: Memory, setting: Setting) -> Mapping[str, PortLaw]:
+        """The law of the coming trial as a sum of named terms: what can be left out to see what it is worth.
+
+        By default the parts of `law` that are not zero; override where two terms act through one part.
+        """
+        return self.law(memory, setting).split
 
     def learn(self, memory: Memory, trial: Trial, setting: Setting) -> Memory:
         """The memories after a trial."""

@@ -7,7 +7,7 @@ from typing import Any, ClassVar
 
 import numpy as np
 
-from dampen.controllers.base import Array, Setting
+from dampen.controllers.base import Array, Assumption, Setting
 from dampen.controllers.inner_loop import InnerLoop
 from dampen.controllers.pointwise import PointwiseLearning, Relearn
 
@@ -34,7 +34,12 @@ class DualLoopAILC(PointwiseLearning, InnerLoop):
 
     kind: ClassVar[str] = "dual-loop-ailc"
     memories: ClassVar[tuple[str, str]] = ("zeta", "d_hat")
+    learned_terms: ClassVar[tuple[str, str]] = ("learned feedforward", "observer")
     relearn: ClassVar[Relearn] = staticmethod(relearn)
+
+    @property
+    def relies_on(self) -> tuple[Assumption, ...]:
+        return ("alignment", "bounds", "moving ports")
 
     def learning_row(self, setting: Setting) -> Array:
         learning, observing = setting.by_kind(self.alpha_4, self.alpha_7), setting.by_kind(self.alpha_8, self.alpha_9)

@@ -10,7 +10,7 @@ from annotated_types import Ge, Gt, Le, Unit
 from typing_extensions import Doc
 
 from dampen.component import Component, check_order
-from dampen.controllers.base import Array, Controller, Memory, PortLaw, Setting
+from dampen.controllers.base import Array, Assumption, Controller, Memory, PortLaw, Setting, total
 from dampen.port import Port
 from dampen.stage import Stage, Step
 
@@ -82,6 +82,10 @@ class InnerLoop(Controller):
         return self.barrier
 
     @property
+    def relies_on(self) -> tuple[Assumption, ...]:
+        return ("bounds",)
+
+    @property
     def needs_bounds(self) -> tuple[str, ...]:
         return ("f", "ports")
 
@@ -89,13 +93,17 @@ class InnerLoop(Controller):
         return (FlankInverse(self.assumed_backlash),) if self.compensate else ()
 
     def law(self, memory: Memory, setting: Setting) -> PortLaw:
+        return total(InnerLoop.terms(self, memory, setting))  # without what a subclass learns
+
+    def terms(self, memory: Memory, setting: Setting) -> dict[str, PortLaw]:
+        """Damping; the observer, which within a trial acts as damping; Sgn against the stated bounds; the barrier."""
         nothing = np.zeros((setting.steps, len(setting.ports)))
-        return PortLaw(
-            feedforward=nothing,
-            coulomb=nothing + self._robust(setting),
-            damping=setting.by_kind(self.alpha_4 + self.alpha_8, self.alpha_7 + self.alpha_9),
-            barrier=setting.by_kind(self.alpha_3, self.alpha_6) * (self.barrier != "none"),
-        )
+        return {
+            "damping": PortLaw(nothing, damping=setting.by_kind(self.alpha_4, self.alpha_7)),
+            "observer": PortLaw(nothing, damping=setting.by_kind(self.alpha_8, self.alpha_9)),
+            "Sgn": PortLaw(nothing, coulomb=nothing + self._robust(setting)),
+            "barrier": PortLaw(nothing, barrier=setting.by_kind(self.alpha_3, self.alpha_6) * (self.barrier != "none")),
+        }
 
     def _robust(self, setting: Setting) -> Array:
         """The constant part of the switching gain, (ports,)."""

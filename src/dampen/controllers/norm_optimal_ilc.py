@@ -11,7 +11,7 @@ from annotated_types import Ge
 from typing_extensions import Doc
 
 from dampen.component import wrong
-from dampen.controllers.base import Array, Controller, Memory, PortLaw, Setting, Trial, named
+from dampen.controllers.base import Array, Assumption, Controller, Memory, PortLaw, Setting, Trial, named
 
 TOLERANCE, ITERATIONS = 1e-13, 5000
 
@@ -48,6 +48,10 @@ class NormOptimalILC(Controller):
 
     def ports_named(self) -> Mapping[str, str]:
         return named(error_weight=self.error_weight, damping=self.damping, stiffness=self.stiffness)
+
+    @property
+    def relies_on(self) -> tuple[Assumption, ...]:
+        return ("equal starts", "repetition")
 
     def begin(self, setting: Setting) -> Memory:
         return {"learned": np.zeros((setting.steps, len(setting.ports)))}

@@ -10,7 +10,7 @@ import numpy as np
 from annotated_types import Ge, Gt, Lt, Unit
 from typing_extensions import Doc
 
-from dampen.controllers.base import Array, Controller, Memory, PortLaw, Setting, Trial, named
+from dampen.controllers.base import Array, Assumption, Controller, Memory, PortLaw, Setting, Trial, named
 
 
 @dataclass(frozen=True)
@@ -40,6 +40,10 @@ class PTypeILC(Controller):
 
     def ports_named(self) -> Mapping[str, str]:
         return named(learning=self.learning, damping=self.damping, stiffness=self.stiffness)
+
+    @property
+    def relies_on(self) -> tuple[Assumption, ...]:
+        return ("equal starts", "repetition")
 
     def begin(self, setting: Setting) -> Memory:
         return {"learned": np.zeros((setting.steps, len(setting.ports)))}

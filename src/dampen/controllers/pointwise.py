@@ -4,12 +4,11 @@ from __future__ import annotations
 
 from abc import abstractmethod
 from collections.abc import Callable
-from dataclasses import replace
 from typing import Any, ClassVar
 
 import numpy as np
 
-from dampen.controllers.base import Array, Controller, Memory, PortLaw, Setting, Trial
+from dampen.controllers.base import Array, Controller, Memory, PortLaw, Setting, Trial, total
 
 Relearn = Callable[[Any, Any, Any, Any, Any, Any], tuple[Any, Any]]
 
@@ -21,9 +20,12 @@ class PointwiseLearning(Controller):
     from those of the last one and from what was seen at the same step and port; `error` is that at the end of the step. It is
     written in NumPy's arithmetic: a single run calls it once a trial with whole arrays, (steps, ports), and a batch of runs
     compiles the very same function and calls it with numbers. `row[i]` is the i-th number of `learning_row`, by port.
+
+    `learned_terms` are the names of what the memories add, where a law is taken apart; one that the law has already is added to.
     """
 
     memories: ClassVar[tuple[str, str]] = ("feedforward", "coulomb")
+    learned_terms: ClassVar[tuple[str, str]] = ("learned feedforward", "learned Sgn")
     relearn: ClassVar[Relearn]
 
     @abstractmethod
@@ -36,8 +38,19 @@ class PointwiseLearning(Controller):
 
     def law(self, memory: Memory, setting: Setting) -> PortLaw:
         fixed = super().law(memory, setting)  # type: ignore[safe-super]  # that of the class it is mixed into
+        return total({"fixed": fixed, **self._learned(memory)})
+
+    def terms(self, memory: Memory, setting: Setting) -> dict[str, PortLaw]:
+        """The terms of the law that it is mixed into, and what both memories add."""
+        terms = dict(super().terms(self.begin(setting), setting))
+        for name, term in self._learned(memory).items():
+            terms[name] = terms[name] + term if name in terms else term
+        return terms
+
+    def _learned(self, memory: Memory) -> dict[str, PortLaw]:
         feedforward, coulomb = (memory[name] for name in self.memories)
-        return replace(fixed, feedforward=fixed.feedforward + feedforward, coulomb=fixed.coulomb + coulomb)
+        learned = PortLaw(feedforward), PortLaw(np.zeros_like(coulomb), coulomb=coulomb)
+        return dict(zip(self.learned_terms, learned, strict=True))
 
     def learn(self, memory: Memory, trial: Trial, setting: Setting) -> Memory:
         feedforward, coulomb = (memory[name] for name in self.memories)

@@ -76,6 +76,10 @@ class Disturbance(Component):
         """The first trial in which the disturbance was what it is in `trial`, so that it need not be sampled again."""
         return trial
 
+    def held(self) -> Disturbance:
+        """The disturbance without what changes its frequencies from trial to trial: those of trial 0 stay."""
+        return self
+
 
 def in_dict(parameter: str, ports: Iterable[str]) -> dict[str, str]:
     """What `ports_named` says of a parameter that is a table with ports as keys."""

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Annotated, ClassVar
 
 import numpy as np
@@ -60,6 +60,9 @@ class HarmonicFamilies(Disturbance):
 
     def same_as(self, trial: int) -> int:
         return trial if self.frozen_at is None else 0
+
+    def held(self) -> HarmonicFamilies:
+        return replace(self, frozen_at=0) if self.frozen_at is None else self
 
     def _growth(self, trial: int) -> int:
         return 1 + (trial if self.frozen_at is None else self.frozen_at)

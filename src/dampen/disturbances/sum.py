@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Annotated, ClassVar
 
 from typing_extensions import Doc
@@ -34,3 +34,6 @@ class Sum(Disturbance):
         firsts = [term.same_as(trial) for term in self.terms]
         candidates = range(max(firsts, default=0), trial)
         return next((j for j in candidates if [term.same_as(j) for term in self.terms] == firsts), trial)
+
+    def held(self) -> Sum:
+        return replace(self, terms=tuple(term.held() for term in self.terms))

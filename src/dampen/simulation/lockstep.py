@@ -26,7 +26,7 @@ Array = np.ndarray
 def in_step(scenario: Scenario) -> bool:
     """Whether a scenario can be a member: its law acts continuously, and learns point by point or not at all."""
     law = type(scenario.controller)
-    hooks = ("begin", "law", "learn")
+    hooks = ("begin", "law", "terms", "learn")
     pointwise = issubclass(law, PointwiseLearning) and all(getattr(law, n) is getattr(PointwiseLearning, n) for n in hooks)
     return not scenario.sampled and (pointwise or law.learn is Controller.learn)
 

@@ -7,11 +7,11 @@ from collections.abc import Iterator
 import numpy as np
 
 from dampen.analysis.claims import Claim
+from dampen.analysis.composite_energy import LAMBDAS, CompositeEnergy, composite_energy, rises
 from dampen.analysis.metrics import field_rms, fraction_of_limit, largest, peaks, port_rms
-from dampen.scenarios.he2017.composite_energy import LAMBDAS, composite_energy, rises
 from dampen.simulation.result import Result
 
-Composite = tuple[np.ndarray, np.ndarray] | None
+Composite = CompositeEnergy | None
 KEPT, RESIDUAL, GROWTH = 0.5, 0.03, 1.05
 CHANNELS = (("w", "tip_w", "w", "m", "N"), ("phi", "tip_phi", "phi", "rad", "N m"))
 
@@ -112,7 +112,7 @@ def _theorem_1(result: Result, composite: Composite) -> Iterator[Claim]:
     known = ("y", "v", "command", "delivered", "zeta", "d_hat", "energy", "barrier_energy")
     signals = {name: largest(result, name) for name in known if name in result.layout.variables}
     if composite is not None:
-        signals["E_j(T_b)"] = composite[0][:, 0]
+        signals["E_j(T_b)"] = composite.total[:, 0]
     trends = {name: _trend(values) for name, values in signals.items()}
     growing = [f"{name} {late - 1:+.0%}" for name, (_, late) in trends.items() if late is not None and not late <= GROWTH]
     finite = all(np.isfinite(top) for top, _ in trends.values())
@@ -125,11 +125,11 @@ def _theorem_1(result: Result, composite: Composite) -> Iterator[Claim]:
 
 def _theorem_2(result: Result, baseline: Result, composite: Composite) -> Iterator[Claim]:
     listed = ", ".join(f"{value:g}" for value in LAMBDAS)
-    for id, which, how in (
-        ("T2a", 1, "the jump of its weight left out, as in (46)"),
-        ("T2b", 0, "the jump of its weight counted"),
+    for id, energy, how in (
+        ("T2a", None if composite is None else composite.printed, "the jump of its weight left out, as in (46)"),
+        ("T2b", None if composite is None else composite.total, "the jump of its weight counted"),
     ):
-        count = None if composite is None else rises(composite[which])
+        count = None if energy is None else rises(energy)
         measured = "not this law" if count is None else "rises: " + ", ".join(str(n) for n in count)
         yield Claim(
             id, f"E_j(T_b) does not increase along the trials; {how}", f"no rise at lambda = {listed} 1/s",

@@ -1,0 +1,227 @@
+"""What the proof behind a law takes for granted, looked at as the run had it."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass
+
+import numpy as np
+
+from dampen.analysis.audit.finding import Finding, Quantity
+from dampen.analysis.audit.sticking import Sticking, sticking
+from dampen.analysis.metrics import largest
+from dampen.controllers.base import Assumption
+from dampen.simulation.bench import Bench
+from dampen.simulation.result import Result
+
+Array = np.ndarray
+EQUAL = 1e-9  # of the largest displacement: closer starts are equal
+ROUND_OFF = 1 + 1e-12
+MOSTLY, RENEWED = 0.5, 0.1  # share of the time that all stick; share of the kept energy taken in a trial
+
+
+def assumptions(result: Result, bench: Bench) -> Iterator[Finding]:
+    """A row for each assumption that the law relies on, and how the ports stick."""
+    for name in result.scenario.controller.relies_on:
+        yield from ROWS[name](result, bench)
+    if "moving ports" not in result.scenario.controller.relies_on:
+        yield from moving(result, bench)
+
+
+@dataclass(frozen=True)
+class Starts:
+    """(trials,) how far each trial's start is from the end of the last one, and from that of trial 0: displacements of the ports
+    as shares of the largest there was, and energies likewise; the larger of the two."""
+
+    from_last_end: Array
+    from_first: Array
+
+
+def starts(result: Result) -> Starts:
+    """How trials begin."""
+    y = np.array([np.asarray(result["y"][j])[[0, -1]] for j in range(result.trials)])
+    energy = np.array([np.asarray(result["energy"][j])[[0, -1]] for j in range(result.trials)])
+    scale, most = np.maximum(np.abs(y).max(axis=(0, 1)), 1e-300), max(float(energy.max()), 1e-300)
+    jump = np.maximum((np.abs(y[1:, 0] - y[:-1, 1]) / scale).max(axis=1), np.abs(energy[1:, 0] - energy[:-1, 1]) / most)
+    apart = np.maximum((np.abs(y[:, 0] - y[0, 0]) / scale).max(axis=1), np.abs(energy[:, 0] - energy[0, 0]) / most)
+    return Starts(jump, apart)
+
+
+def alignment(result: Result, bench: Bench) -> Iterator[Finding]:
+    """Assumption 2: each trial starts where the last one ended."""
+    jump = float(starts(result).from_last_end.max(initial=0.0))
+    yield Finding.of(
+        "assumptions",
+        "assumption.alignment",
+        "each trial starts where the last one ended (alignment)",
+        f"{jump:.1%} of the largest displacement or energy off" if jump > EQUAL else "no jump",
+        bool(jump <= EQUAL),
+        "Trials are chained."
+        if jump <= EQUAL
+        else "Trials are put back in between: what the proof carries from trial to trial is lost with every reset.",
+        {"largest jump": Quantity(jump)},
+    )
+
+
+def equal_starts(result: Result, bench: Bench) -> Iterator[Finding]:
+    """Learning from a fixed start: every trial starts as trial 0 did."""
+    apart = float(starts(result).from_first.max(initial=0.0))
+    yield Finding.of(
+        "assumptions",
+        "assumption.equal-starts",
+        "each trial starts as trial 0 did",
+        f"up to {apart:.2g} of the largest displacement or energy apart" if apart > EQUAL else "equal",
+        bool(apart <= EQUAL),
+        "Starts are equal."
+        if apart <= EQUAL
+        else "Starts differ: what is learned from one start is only partly right for the next, and the error settles above zero.",
+        {"largest difference": Quantity(apart)},
+    )
+
+
+def repetition(result: Result, bench: Bench) -> Iterator[Finding]:
+    """Learning of what repeats: the same disturbance and reference in every trial."""
+    source, task = result.scenario.disturbance, result.scenario.task
+    shaken = [j for j in range(1, result.trials) if source.same_as(j) != source.same_as(0)]
+    asked = [
+        j
+        for j in range(1, result.trials)
+        if task.reference and np.any(result.scenario.reference(j) != result.scenario.reference(0))
+    ]
+    changed = sorted({*shaken, *asked})
+    yield Finding.of(
+        "assumptions",
+        "assumption.repetition",
+        "every trial has the disturbance and the reference of trial 0",
+        f"{len(changed)} of {result.trials} trials differ" if changed else "all alike",
+        not changed,
+        "What is to be learned repeats."
+        if not changed
+        else "The disturbance changes from trial to trial: learning answers the last trial's, not this one's."
+        if shaken
+        else "The reference changes from trial to trial: what was learned belongs to another one.",
+        {"trials that differ": Quantity(tuple(changed))},
+    )
+
+
+def bounds(result: Result, bench: Bench) -> Iterator[Finding]:
+    """Assumptions 3 and 4: the disturbances stay within what the controller was told."""
+    stated = result.scenario.bounds
+    for port in result.scenario.plant.ports:
+        if port.name in stated:
+            yield within(
+                f"|d| at {port.name}",
+                port.name,
+                float(largest(result, "disturbance", port.name).max()),
+                stated[port.name],
+                port.effort_unit,
+            )
+    if "f" in stated:
+        load, uncovered = largest_load(result, bench)
+        yield within("|f(x, t)|", "f", load, stated["f"], "N/m", uncovered)
+
+
+def within(what: str, key: str, measured: float, stated: float, unit: str, uncovered: str = "") -> Finding:
+    """One disturbance against its stated bound; `uncovered` is what no bound of that kind can cover."""
+    holds = measured <= stated * ROUND_OFF and not uncovered
+    return Finding.of(
+        "assumptions",
+        f"assumption.bound.{key}",
+        f"{what} <= {stated:g} {unit}, as stated",
+        f"{measured:.4g} {unit}",
+        bool(holds),
+        uncovered
+        or (
+            "The disturbance stays within what the controller was told."
+            if holds
+            else "The disturbance is larger than the controller was told: its switching gain is made for less."
+        ),
+        {"largest": Quantity(measured, unit), "stated": Quantity(stated, unit)},
+    )
+
+
+def largest_load(result: Result, bench: Bench) -> tuple[float, str]:
+    """Largest |f(x, t)| of the distributed loads at the output points and the middles of the steps [N/m], and what a bound on it
+    does not cover."""
+    found, t, uncovered = 0.0, bench.midpoints, ""
+    source, site = result.scenario.disturbance, bench.site
+    for trial in sorted({source.same_as(j) for j in range(result.trials)}):
+        total: dict[str, Array] = {}
+        for part in source.parts:
+            if part.load_field is not None:
+                load = part.load(trial, t, bench.x, site)
+                total[part.load_field] = total[part.load_field] + load if part.load_field in total else load
+            if part.point_field is not None:
+                uncovered = "A concentrated load acts too: no bound in N/m covers it."
+            if part.base_acceleration(trial, t[:1], site) is not None:
+                uncovered = "The base is shaken too: no bound in N/m covers it."
+        found = max(found, *(float(np.abs(load).max()) for load in total.values()), 0.0)
+    return found, uncovered
+
+
+def moving(result: Result, bench: Bench) -> Iterator[Finding]:
+    """Assumption 5: no port stands still for a whole trial; and the energy that is trapped behind those that stick."""
+    found = sticking(result, bench)
+    if found is None or not any(found.share):
+        return
+    relied = "moving ports" in result.scenario.controller.relies_on
+    duration = result.scenario.task.trial_duration
+    for port, share, longest, at, still in zip(
+        found.ports, found.share, found.longest, found.longest_at, found.still, strict=True
+    ):
+        holds = not still and longest < duration
+        trials = f", through {len(still)} whole trials" if len(still) > 1 else f", through trial {still[0]}" if still else ""
+        yield Finding.of(
+            "assumptions",
+            f"assumption.moving.{port}",
+            f"{port} does not stand still for a trial of {duration:g} s",
+            f"stuck {share:.0%} of the time; longest {longest:.3g} s, from t = {at:.4g} s{trials}",
+            holds if relied else None,
+            "It sticks, but never for a whole trial."
+            if holds
+            else "It stands still for whole trials: nothing is measured or learned there, and no energy leaves through it.",
+            {
+                "share of steps stuck": Quantity(share),
+                "longest stick": Quantity(longest, "s"),
+                "longest stick begins": Quantity(at, "s"),
+                "trials without motion": Quantity(still),
+            },
+            judged=relied,
+        )
+    if found.together:
+        yield trapped(found)
+
+
+def trapped(found: Sticking) -> Finding:
+    """The energy while all driven ports stick together, and what the control still takes of it: what a residual is made of."""
+    static = "" if found.static is None else f", of which {found.static:.2g} J hold the ports off their rest"
+    share = found.taken / found.trapped if found.trapped > 0 else np.inf
+    trapping = found.together > MOSTLY and share < RENEWED
+    return Finding.of(
+        "assumptions",
+        "assumption.trapped-energy",
+        "while all driven ports stick, the structure keeps no more than ten times what the control takes in a trial",
+        f"{found.trapped:.3g} J kept{static}; {found.taken:.2g} J taken a trial; all stuck {found.together:.0%} of the time",
+        not trapping,
+        "Trapped: with its ends held the structure keeps its energy, and the control, which works only while a port slips, takes "
+        f"{share:.2%} of it in a trial. This is the residual; less authority (Sgn, damping) would let the ports slip."
+        if trapping
+        else "What is left is renewed by the disturbance, and taken again while the ports slip: it is not trapped.",
+        {
+            "kept, last trials": Quantity(found.trapped, "J"),
+            "of it static": Quantity(found.static, "J"),
+            "taken a trial, last trials": Quantity(found.taken, "J"),
+            "share of steps all stuck": Quantity(found.together),
+            "all stuck, share by trial": Quantity(found.together_by_trial),
+            "kept, by trial": Quantity(found.trapped_by_trial, "J"),
+        },
+    )
+
+
+ROWS: dict[Assumption, Callable[[Result, Bench], Iterator[Finding]]] = {
+    "alignment": alignment,
+    "equal starts": equal_starts,
+    "repetition": repetition,
+    "bounds": bounds,
+    "moving ports": moving,
+}

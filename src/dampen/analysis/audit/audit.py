@@ -1,0 +1,64 @@
+"""The audit: all findings about a run."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+from dampen.analysis.audit.assumptions import assumptions
+from dampen.analysis.audit.boundedness import boundedness
+from dampen.analysis.audit.composite import composite
+from dampen.analysis.audit.energetics import energetics
+from dampen.analysis.audit.finding import Finding
+from dampen.analysis.audit.resolution import resolution
+from dampen.component import ArgumentError
+from dampen.simulation.bench import Bench
+from dampen.simulation.result import Result
+
+
+@dataclass(frozen=True)
+class Audit:
+    """What was found in a run of a scenario, section by section."""
+
+    scenario: str
+    findings: tuple[Finding, ...]
+
+    def __getitem__(self, id: str) -> Finding:
+        return next(finding for finding in self.findings if finding.id == id)
+
+    @property
+    def failed(self) -> tuple[Finding, ...]:
+        """The findings that do not hold."""
+        return tuple(finding for finding in self.findings if finding.verdict == "FAIL")
+
+    @property
+    def sections(self) -> dict[str, list[Finding]]:
+        """The findings by section, in order."""
+        found: dict[str, list[Finding]] = {}
+        for finding in self.findings:
+            found.setdefault(finding.section, []).append(finding)
+        return found
+
+
+def audit(result: Result, *, refine: bool = True, bench: Bench | None = None) -> Audit:
+    """Audit a run: its energy account, its resolution, the assumptions of its law, its bounds, and the proof's energy.
+
+    refine: whether the scenario is run again with twice the modes and with half the step, which takes some six times as long
+            as the run itself; without it that section is left out.
+    bench:  the set-up that the run was made on, if it is at hand.
+
+    Raises ArgumentError for a result without a finished trial.
+    """
+    if not result.trials:
+        raise ArgumentError("Argument `result` must have a finished trial, but has none.")
+    return Audit(result.scenario.name, tuple(findings(result, bench or Bench(result.scenario), refine)))
+
+
+def findings(result: Result, bench: Bench, refine: bool) -> Iterator[Finding]:
+    """All rows, in the order of the page."""
+    yield from energetics(result, bench)
+    if refine:
+        yield from resolution(result)
+    yield from assumptions(result, bench)
+    yield from boundedness(result)
+    yield from composite(result)

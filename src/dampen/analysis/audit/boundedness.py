@@ -1,0 +1,74 @@
+"""Is every signal bounded along the trials, and how much of the constraint is left?"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+import numpy as np
+
+from dampen.analysis.audit.finding import Finding, Quantity
+from dampen.analysis.metrics import fraction_of_limit, largest
+from dampen.simulation.result import Result
+
+Array = np.ndarray
+GROWTH, LATE, FEWEST = 1.05, 5, 10
+SIGNALS = ("y", "v", "command", "delivered")
+
+
+def boundedness(result: Result) -> Iterator[Finding]:
+    """A row for each signal at each port, one for the energy, and one for each constraint."""
+    learned = [name for name, v in result.layout.variables.items() if v.meaning.startswith("learned ")]
+    for port in result.scenario.plant.ports:
+        for name in (*SIGNALS, *learned):
+            by_trial = largest(result, name, port.name)
+            if np.any(by_trial):
+                yield bounded(name, port.name, by_trial, signal_unit(name, port))
+    yield bounded("energy", "", largest(result, "energy"), "J")
+    for name in result.scenario.task.constraint:
+        yield margin(result, name)
+
+
+def signal_unit(name: str, port: object) -> str:
+    """The unit of a signal at a port; "" where only the law knows it."""
+    motion, effort = getattr(port, "motion_unit", ""), getattr(port, "effort_unit", "")
+    return {"y": motion, "v": f"{motion}/s", "command": effort, "delivered": effort}.get(name, "")
+
+
+def bounded(name: str, port: str, by_trial: Array, unit: str) -> Finding:
+    """Whether the largest value of the last five trials is no more than those before."""
+    where, few = (f" at {port}" if port else ""), len(by_trial) < FEWEST
+    before, late = (np.inf, by_trial.max()) if few else (by_trial[:-LATE].max(), by_trial[-LATE:].max())
+    finite, growth = bool(np.all(np.isfinite(by_trial))), late / before if before else 1.0 if not late else np.inf
+    holds = False if not finite else None if few else bool(growth <= GROWTH)
+    meaning = (
+        f"Fewer than {FEWEST} trials show no trend."
+        if few and finite
+        else "It keeps growing along the trials."
+        if not holds
+        else "It does not grow along the trials."
+    )
+    trend = "" if few else f"; last five {growth:.0%} of those before"
+    return Finding.of(
+        "boundedness",
+        f"bounded.{name}{'.' if port else ''}{port}",
+        f"largest |{name}|{where} of the last five trials <= 105 % of those before",
+        f"{by_trial.max():.3g} {unit}".rstrip() + trend,
+        holds,
+        meaning,
+        {"largest, by trial": Quantity(tuple(map(float, by_trial)), unit)},
+    )
+
+
+def margin(result: Result, port: str) -> Finding:
+    """What was left of a constraint."""
+    left = 1 - fraction_of_limit(result, port)
+    worst = int(np.argmin(left))
+    return Finding.of(
+        "boundedness",
+        f"margin.{port}",
+        f"{port} inside its constraint at every step",
+        f"{left.min():.1%} left in trial {worst}; {left[-1]:.1%} in the last",
+        bool(left.min() > 0 and result.status != "diverged"),
+        "The share of the constraint that was never used." if left.min() > 0 else "The constraint was lost.",
+        {"margin, by trial": Quantity(tuple(map(float, left)))},
+    )
