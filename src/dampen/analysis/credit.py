@@ -129,8 +129,9 @@ def _of_the_law(scenario: Scenario) -> Iterator[tuple[str, str, Scenario]]:
     for name in terms:
         if len(terms) > 1:
             yield f"without {name}", f"the law without its term {name}", without(name)
-    if {"Sgn", "observer"} <= set(terms):
-        yield "without any Sgn", "the law without all that multiplies Sgn: observer and Sgn", without("Sgn", "observer")
+    switching = tuple(name for name in terms if name in ("Sgn on bounds", "observer"))
+    if len(switching) == 2:
+        yield "without all Sgn terms", f"the law without all that multiplies Sgn: {' and '.join(switching)}", without(*switching)
 
 
 def ideal_actuators(scenario: Scenario) -> Scenario | None:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
+from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
@@ -13,9 +14,11 @@ from dampen.cli.terminal import BROKE_OFF, ScenarioArgument, SetOption, err, fre
 from dampen.component import ArgumentError
 
 if TYPE_CHECKING:
+    from dampen.analysis.claims import Claim
     from dampen.simulation.bench import Bench
     from dampen.simulation.result import Result
     from dampen.simulation.scenario import Scenario
+    from dampen.studies.record import Record
 
 HELP = (
     "Run a scenario with and without control; write results, figures and a report.\n\n"
@@ -26,39 +29,78 @@ HELP = (
 )
 
 
-def run(
-    scenario: ScenarioArgument,
-    set_: SetOption = None,
-    folder: Annotated[
-        Path | None, typer.Option("--out", metavar="DIR", help="where to write (default: a new folder in runs/)")
-    ] = None,
-    report: Annotated[bool, typer.Option("--report/--no-report", help="figures and report.html")] = True,
-) -> None:
+OutOption = Annotated[Path | None, typer.Option("--out", metavar="DIR", help="where to write (default: a new folder in runs/)")]
+ReportOption = Annotated[bool, typer.Option("--report/--no-report", help="figures and report.html")]
+Review = Callable[["Bench", "Result"], "Record"]
+
+
+@dataclass(frozen=True)
+class Done:
+    """What a command has run and written."""
+
+    folder: Path
+    result: Result
+    baseline: Result | None
+    continuous: Result | None
+    claims: list[Claim]
+    record: Record
+    page: Path | None
+
+
+def run(scenario: ScenarioArgument, set_: SetOption = None, folder: OutOption = None, report: ReportOption = True) -> None:
     """`dampen run`."""
+    done = perform(scenario, set_, folder, report)
+    show_outcome(done)
+    finish(done)
+
+
+def perform(
+    scenario: str, set_: list[str] | None, folder: Path | None, report: bool, purpose: str = "", review: Review | None = None
+) -> Done:
+    """Run a scenario with and without control, review it, and write everything.
+
+    purpose: what a new folder is called after, beside the scenario.   review: makes the record; without it, the audit that needs
+    no further run.
+    """
     import scipy.linalg  # noqa: F401  (loaded first, so that the limit below reaches its BLAS too)
     from threadpoolctl import threadpool_limits
 
     from dampen.scenarios.claims import check_claims, figure_plan, note
     from dampen.scenarios.read import read_scenario
     from dampen.simulation.bench import Bench
+    from dampen.studies.record import write_record
 
     experiment = read_scenario(scenario, set_ or ())
     with threadpool_limits(1):
         bench = Bench(experiment)  # refuses what cannot be resolved, before anything is written
-        folder = make_folder(folder, experiment.name)
+        folder = make_folder(folder, f"{experiment.name}-{purpose}" if purpose else experiment.name)
         result, baseline, continuous = run_all(bench, folder)
-    for line in result.warnings:
-        err.print(f"Note: {line}", markup=False)
-    claims = check_claims(result, baseline)
+        for line in result.warnings:
+            err.print(f"Note: {line}", markup=False)
+        record = (review or own_review)(bench, result)
+    write_record(folder, record)
+    claims, page = check_claims(result, baseline), None
     if report and result.trials:
         from dampen.report import write_report
 
         with working("Drawing figures"):
-            write_report(folder, result, baseline, claims, figure_plan(result), note(result), continuous=continuous)
-    show_outcome(result, claims, note(result), folder)
-    if continuous is not None:
-        show_costs(result, continuous)
-    if result.broke_off or (baseline is not None and baseline.broke_off):
+            plan, about = figure_plan(result), note(result)
+            page = write_report(folder, result, baseline, claims, plan, about, continuous=continuous, record=record)
+    return Done(folder, result, baseline, continuous, claims, record, page)
+
+
+def own_review(bench: Bench, result: Result) -> Record:
+    """The audit of a run by itself."""
+    from dampen.analysis.audit.audit import audit
+    from dampen.studies.record import record
+
+    return record(result.scenario, audit=audit(result, refine=False, bench=bench) if result.trials else None)
+
+
+def finish(done: Done) -> None:
+    """Where everything is, and the exit status of a run that broke off."""
+    out.print(f"Report: {done.page}" if done.page else f"Results: {done.folder / 'result.nc'}", markup=False)
+    if done.result.broke_off or (done.baseline is not None and done.baseline.broke_off):
         raise typer.Exit(BROKE_OFF)
 
 
@@ -69,7 +111,7 @@ def make_folder(folder: Path | None, name: str) -> Path:
         raise ArgumentError(f"Output folder `{folder}` must be another one: it holds a scenario.toml that no run has left there.")
     try:
         folder.mkdir(parents=True, exist_ok=True)
-        for old in ("report.html", "continuous.nc", "uncontrolled.nc", "result.nc", "scenario.toml"):
+        for old in ("report.html", "audit.json", "continuous.nc", "uncontrolled.nc", "result.nc", "scenario.toml"):
             (folder / old).unlink(missing_ok=True)
         (folder / "scenario.toml").touch()
     except OSError as error:
@@ -132,25 +174,30 @@ def trial_bar(total: int) -> Iterator[Callable[[int, int], None]]:
         yield lambda done, trials: bar.advance(task)
 
 
-def show_outcome(result: Result, claims: list, note: str, folder: Path) -> None:  # type: ignore[type-arg]
-    """One table, one sentence of verdict, and where everything is."""
+def show_outcome(done: Done) -> None:
+    """One table, one sentence of verdict, and what sampling costs."""
     from rich.text import Text
 
     from dampen.analysis.claims import verdict_sentence
+    from dampen.report.review.words import sentence
+    from dampen.scenarios.claims import note
 
+    result = done.result
     if result.broke_off:
         err.print(
             f"The run broke off ({result.status}) after {result.trials} of {result.scenario.task.trials} trials.", markup=False
         )
-    if claims:
+    if done.claims:
         colours = {"PASS": "green", "FAIL": "bold red", "n/a": "dim"}
-        rows = [(c.id, c.statement, c.measured, Text(c.verdict, colours[c.verdict])) for c in claims]
+        rows = [(c.id, c.statement, c.measured, Text(c.verdict, colours[c.verdict])) for c in done.claims]
         show_table(("", "Claim", "Measured", "Verdict"), rows)
-        out.print(verdict_sentence(claims), markup=False)
-    if note:
-        out.print(note, style="dim", markup=False)
-    page = folder / "report.html"
-    out.print(f"Report: {page}" if page.exists() else f"Results: {folder / 'result.nc'}", markup=False)
+        out.print(verdict_sentence(done.claims), markup=False)
+    if done.record.audit is not None:
+        out.print(sentence(done.record.audit), markup=False)
+    if note(result):
+        out.print(note(result), style="dim", markup=False)
+    if done.continuous is not None:
+        show_costs(result, done.continuous)
 
 
 def show_costs(result: Result, continuous: Result) -> None:

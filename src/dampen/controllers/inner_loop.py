@@ -101,7 +101,7 @@ class InnerLoop(Controller):
         return {
             "damping": PortLaw(nothing, damping=setting.by_kind(self.alpha_4, self.alpha_7)),
             "observer": PortLaw(nothing, damping=setting.by_kind(self.alpha_8, self.alpha_9)),
-            "Sgn": PortLaw(nothing, coulomb=nothing + self._robust(setting)),
+            "Sgn on bounds": PortLaw(nothing, coulomb=nothing + self._robust(setting)),
             "barrier": PortLaw(nothing, barrier=setting.by_kind(self.alpha_3, self.alpha_6) * (self.barrier != "none")),
         }
 

@@ -17,6 +17,7 @@ from dampen.analysis.sampling_cost import METRICS, Cost
 from dampen.report.facts import account_rows, cost_row, facts, gains, status_sentence
 from dampen.report.figures import Drawn, Job
 from dampen.report.joined import uncontrolled
+from dampen.report.review.parts import Parts
 from dampen.report.style import typeset
 from dampen.simulation.result import Result
 from dampen.simulation.trials import LOST
@@ -34,8 +35,10 @@ def write_page(
     figures: Sequence[Drawn[Job]],
     note: str = "",
     costs: Sequence[Cost] = (),
+    review: Parts | None = None,
 ) -> Path:
-    """Write the page; `figures` are embedded in the format that makes the smaller page. costs: what sampling costs."""
+    """Write the page; `figures` are embedded in the format that makes the smaller page. costs: what sampling costs.
+    review: what the audit found."""
     kind = smaller_format(figures)
     shown = [embedded(drawn, kind) for drawn in figures]
     key = key_figure(figures)
@@ -49,6 +52,7 @@ def write_page(
         figures=[f for f in shown if f["name"] != "energy"],
         energy=next((f for f in shown if f["name"] == "energy"), None),
         account=account_rows(result, baseline),
+        review=review,
         costs=[(*cost_row(cost), METRICS[cost.metric]) for cost in costs],
         warnings=[line for line in result.warnings if not line.startswith(LOST)],
         gains=gains(result),

@@ -81,7 +81,7 @@ def alpha_1(result: Result) -> Finding:
         holds,
         "Large enough on this run; the proof says no more than that there is such an alpha_1."
         if holds
-        else f"Worst up to trial {trial + 1} at lambda = {LAMBDAS[column]:g} 1/s: the tip hardly moves while the load works inside.",
+        else f"Worst up to trial {trial + 1} at lambda = {LAMBDAS[column]:g} 1/s: the load works while the tip hardly moves.",
         {**by_lambda, "alpha_1 needed": Quantity(needed)},
     )
 

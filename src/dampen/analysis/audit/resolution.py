@@ -39,7 +39,9 @@ def with_twice_the_modes(scenario: Scenario) -> tuple[Figures | None, str]:
 
 
 def of_a_whole_run(finer: Result, result: Result) -> Figures | None:
-    """The figures of a run that went as far as the result did."""
+    """The figures of a run that went as far as the result did. Raises KeyboardInterrupt where it was interrupted."""
+    if finer.status == "interrupted":
+        raise KeyboardInterrupt
     return figures_of_merit(finer) if finer.trials and finer.trials >= result.trials else None
 
 

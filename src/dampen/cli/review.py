@@ -1,0 +1,119 @@
+"""`dampen audit` and `dampen credit`: what holds in a run, what does not, and what each part of it is worth."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from typing import TYPE_CHECKING, Annotated, Any
+
+import typer
+
+from dampen.cli.run import OutOption, ReportOption, finish, perform
+from dampen.cli.terminal import ScenarioArgument, SetOption, err, out, show_table, working
+
+if TYPE_CHECKING:
+    from dampen.simulation.bench import Bench
+    from dampen.simulation.result import Result
+    from dampen.studies.record import Record
+
+EXIT = "Exit status: 0 when the run completed, whatever was found; 2 for bad input; 3 when it broke off, with what it has saved."
+AUDIT_HELP = (
+    "Run a scenario and audit it: the energy account, how figures move with twice the modes and half the step, the assumptions "
+    "of the law's proof as the run had them, every bound, the proof's energy and gain conditions; and what each part of the law is "
+    "worth.\n\nExamples:\n\n  dampen audit he2017\n\n  dampen audit he2017 --set controller.compensate=false\n\n"
+    f"Writes what `dampen run` writes, with a review in the report and every number in audit.json. {EXIT}"
+)
+CREDIT_HELP = (
+    "Take the credit apart: run a scenario without control, with damping alone, and without one part of its law at a time (what "
+    "it learned, observer, barrier, Sgn), with the disturbance's frequencies held and through an ideal actuator.\n\n"
+    f"Example:\n\n  dampen credit he2017\n\n{EXIT}"
+)
+
+
+def audit(
+    scenario: ScenarioArgument,
+    set_: SetOption = None,
+    folder: OutOption = None,
+    with_credit: Annotated[bool, typer.Option("--credit/--no-credit", help="what each part of the law is worth")] = True,
+    report: ReportOption = True,
+) -> None:
+    """`dampen audit`."""
+    from dampen.report.review.tables import audit_rows
+    from dampen.report.review.words import sentence
+
+    def reviewed(bench: Bench, result: Result) -> Record:
+        return review(bench, result, refine=True, credit=with_credit)
+
+    done = perform(scenario, set_, folder, report, purpose="audit", review=reviewed)
+    if done.record.audit is not None:
+        show_table(("", "Criterion", "Measured", "Verdict"), coloured(audit_rows(done.record.audit)))
+        out.print(sentence(done.record.audit), markup=False)
+    show_credit(done.record)
+    finish(done)
+
+
+def credit(scenario: ScenarioArgument, set_: SetOption = None, folder: OutOption = None, report: ReportOption = True) -> None:
+    """`dampen credit`."""
+
+    def reviewed(bench: Bench, result: Result) -> Record:
+        return review(bench, result, refine=None, credit=True)
+
+    done = perform(scenario, set_, folder, report, purpose="credit", review=reviewed)
+    show_credit(done.record)
+    finish(done)
+
+
+def review(bench: Bench, result: Result, refine: bool | None, credit: bool = False) -> Record:
+    """The parts of a review that are asked for, as far as they get before Ctrl-C. refine: None: no audit at all."""
+    from dampen.analysis.audit.audit import audit as audited
+    from dampen.analysis.credit import credit as credited
+    from dampen.controllers.none import NoControl
+    from dampen.studies.record import record
+
+    found: dict[str, Any] = {}
+    try:
+        if refine is not None and result.trials:
+            with working("Auditing"):
+                found["audit"] = audited(result, refine=refine, bench=bench)
+        if credit and not isinstance(result.scenario.controller, NoControl):
+            with bar("Taking apart") as advance:
+                found["credit"] = credited(result.scenario, progress=advance)
+    except KeyboardInterrupt:
+        err.print("The review was interrupted: it has what was finished.", markup=False)
+    return record(result.scenario, **found)
+
+
+def show_credit(record: Record) -> None:
+    """The credit as a table and in words."""
+    from dampen.report.review.tables import credit_columns, credit_rows
+    from dampen.report.review.words import credited
+
+    if record.credit is None:
+        return
+    columns = credit_columns(record.credit)
+    show_table(("What it is worth", *columns[1:]), credit_rows(record.credit), columns[1:])
+    for line in credited(record.credit, record.audit):
+        out.print(line, markup=False)
+
+
+def coloured(rows: list[tuple[str, str, str, str]]) -> list[tuple[Any, ...]]:
+    """The rows with their verdicts in colour, a section's name where it begins."""
+    from rich.text import Text
+
+    colours = {"PASS": "green", "FAIL": "bold red", "note": "dim"}
+    named, before = [], ""
+    for section, *rest, verdict in rows:
+        named.append((section if section != before else "", *rest, Text(verdict, colours[verdict])))
+        before = section
+    return named
+
+
+@contextmanager
+def bar(what: str) -> Iterator[Callable[[int, int], None]]:
+    """A progress line over a number that is known with the first report; quiet in a pipe."""
+    from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeRemainingColumn
+
+    columns = (TextColumn(what), BarColumn(), MofNCompleteColumn(), TimeRemainingColumn())
+    with Progress(*columns, console=err, transient=True, disable=not err.is_terminal) as progress:
+        task = progress.add_task("", total=None)
+        yield lambda done, total: progress.update(task, completed=done, total=total)

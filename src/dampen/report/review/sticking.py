@@ -1,0 +1,70 @@
+"""Where the energy stays: the structure's energy along the run, and the times in which all driven ports stick."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+from matplotlib.figure import Figure
+from matplotlib.transforms import blended_transform_factory
+
+from dampen.analysis.audit.sticking import Sticking
+from dampen.report.axes import legend_row, log_axis, panel, sheet, time_axis
+from dampen.report.joined import extremes
+from dampen.report.style import DISPLACEMENT, DOUBLE, FAINT, INK, LEARNED, ROTATION, SMALL, percent, quantity
+from dampen.simulation.result import Result
+
+BAND = 0.055  # of the panel's height, for each port's row of sticks
+DECADES = 6.0
+
+
+def draw_sticking(run: Result, found: Sticking) -> tuple[Figure, str]:
+    """Energy on a log axis; below it a row for each driven port, dark where it sticks; per trial what is kept while all stick."""
+    figure = sheet(DOUBLE, 2.5)
+    axes = panel(figure, left=0.72)
+    time_axis(axes, run)
+    t, energy = extremes(run, "energy")
+    handles = axes.plot(t, np.where(energy > 0, energy, np.nan), color=INK, lw=0.8, label="energy of the structure", zorder=3)
+    middle = (np.arange(run.trials) + 0.5) * run.scenario.task.trial_duration
+    kept = np.array([np.nan if value is None else value for value in found.trapped_by_trial])
+    style: dict[str, Any] = {"marker": "o", "ms": 3.2, "mfc": "white", "ls": "none", "color": LEARNED, "zorder": 4}
+    handles += axes.plot(middle, kept, label="kept while all ports stick, mean of a trial", **style)
+    low = max(float(np.nanmin(np.where(energy > 0, energy, np.nan))), float(energy.max()) * 10**-DECADES)
+    high = 2 * float(energy.max())
+    rows = len(found.ports) + 0.6
+    floor = low / 1.5 / (high / low) ** (BAND * rows / (1 - BAND * rows))
+    log_axis(axes, "energy [J]", floor, high)
+    draw_sticks(axes, run, found)
+    legend_row(figure, handles)
+    return figure, sentence(run, found)
+
+
+def draw_sticks(axes: object, run: Result, found: Sticking) -> None:
+    """A row at the bottom for each driven port, filled where it sticks."""
+    from matplotlib.axes import Axes
+
+    assert isinstance(axes, Axes)
+    below = blended_transform_factory(axes.transData, axes.transAxes)
+    dt = run.scenario.numerics.step
+    names = list(run.scenario.ports)
+    units = dict(zip(names, run.layout.coordinates["motion_unit"][1], strict=True))
+    for row, port in enumerate(reversed(found.ports)):
+        p = names.index(port)
+        stuck = np.concatenate([np.asarray(run["v"][j])[:, p] == 0 for j in range(run.trials)])
+        edges = np.flatnonzero(np.diff(np.concatenate([[0], stuck.astype(int), [0]])))
+        spans = [(begin * dt, (end - begin) * dt) for begin, end in zip(edges[::2], edges[1::2], strict=True)]
+        ink = ROTATION if units[port] == "rad" else DISPLACEMENT
+        axes.broken_barh(spans, (BAND * (row + 0.2), BAND * 0.75), facecolors=ink, lw=0, transform=below, zorder=2)
+        place = (0, BAND * (row + 0.575))
+        axes.annotate(f"{port} sticks", place, (-3, 0), below, "offset points", ha="right", va="center", fontsize=5.5, color=ink)
+    axes.axhline(axes.get_ylim()[0], color=FAINT, lw=0.4)
+    axes.tick_params(axis="y", labelsize=SMALL)
+
+
+def sentence(run: Result, found: Sticking) -> str:
+    """What the figure shows, in numbers."""
+    share, kept = percent(found.together), quantity(found.trapped, "J")
+    text = f"In the last five trials all driven ports stick {share} of the time, with {kept} behind them"
+    if found.static is not None and found.trapped > 0:
+        text += f", {percent(found.static / found.trapped)} of it what holds the ports off their rest"
+    return f"{text}; the control takes {quantity(found.taken, 'J')} a trial."

@@ -1,0 +1,60 @@
+"""The review's tables, ready for the page and the terminal."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import numpy as np
+
+from dampen.analysis.audit.audit import Audit
+from dampen.analysis.audit.finding import Finding
+from dampen.analysis.credit import Credit, Variant
+from dampen.report.review.words import HEADINGS
+from dampen.report.style import percent, quantity
+
+Rows = Sequence[Sequence[str]]
+
+
+def audit_tables(audit: Audit) -> list[tuple[str, list[Finding]]]:
+    """The findings by section, each with its heading."""
+    return [(HEADINGS[section], findings) for section, findings in audit.sections.items()]
+
+
+def audit_rows(audit: Audit) -> list[tuple[str, str, str, str]]:
+    """For the terminal: what does not hold in full, the rest of each section in a line. Section, criterion, measured, verdict."""
+    rows = []
+    for section, findings in audit.sections.items():
+        odd = [f for f in findings if f.verdict != "PASS"]
+        held, heading = len(findings) - len(odd), HEADINGS[section]
+        if held == 1:
+            odd = [f for f in findings if f.verdict != "n/a"]
+        elif held:
+            rows.append((heading, f"{held} of {len(findings)} findings hold", "", "PASS"))
+        rows += [(heading, f.criterion, f.measured, f.verdict) for f in odd if f.verdict != "n/a"]
+    return rows
+
+
+def credit_columns(credit: Credit) -> list[str]:
+    """Headings of the credit table."""
+    ports = [one.port for one in credit.whole.ports]
+    margin = ["margin"] if np.isfinite(credit.whole.margin) else []
+    return ["", *(f"residual, {port}" for port in ports), *margin, *(f"effort, {port}" for port in ports), "energy at the end"]
+
+
+def credit_rows(credit: Credit) -> list[tuple[str, ...]]:
+    """A row for each variant."""
+    return [credit_row(credit, variant) for variant in credit.variants]
+
+
+def credit_row(credit: Credit, variant: Variant) -> tuple[str, ...]:
+    """A variant's figures; of one that could not be run, or that diverged, that."""
+    if variant.status in ("refused", "diverged"):
+        return (variant.name, variant.status, *([""] * (len(credit_columns(credit)) - 2)))
+    margin = [percent(variant.margin)] if np.isfinite(credit.whole.margin) else []
+    return (
+        variant.name,
+        *(quantity(one.residual, one.motion_unit) for one in variant.ports),
+        *margin,
+        *(quantity(one.effort, one.effort_unit) for one in variant.ports),
+        quantity(variant.energy, "J"),
+    )

@@ -1,0 +1,159 @@
+"""The review in words, as a colleague would write it: what holds, what does not, and why."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from dampen.analysis.audit.audit import Audit
+from dampen.analysis.audit.finding import Finding
+from dampen.analysis.credit import Credit, Variant
+from dampen.report.study.views.sensitivity import listed
+from dampen.report.style import TIMES, number, percent, quantity
+
+ALIKE = 0.1  # residuals closer than this share, or than the resolution, are alike
+HEADINGS = {
+    "energy": "Energy",
+    "resolution": "Resolution",
+    "assumptions": "Assumptions",
+    "boundedness": "Boundedness",
+    "composite energy": "Composite energy",
+    "gain conditions": "Gain conditions",
+}
+
+
+def sentence(audit: Audit) -> str:
+    """The outcome in one sentence."""
+    judged = [finding for finding in audit.findings if finding.verdict in ("PASS", "FAIL")]
+    held = sum(finding.verdict == "PASS" for finding in judged)
+    if held == len(judged):
+        return f"All {held} findings of the audit hold."
+    sections = listed(list(dict.fromkeys(HEADINGS[f.section].lower() for f in audit.failed)))
+    return f"{held} of {len(judged)} findings of the audit hold; what does not is about {sections}."
+
+
+def holding(audit: Audit) -> list[str]:
+    """What holds, section by section."""
+    lines = []
+    for section, findings in audit.sections.items():
+        held = [finding for finding in findings if finding.verdict == "PASS"]
+        if held:
+            lines.append(f"{HEADINGS[section]}: {_held(section, held, findings)}.")
+    return lines
+
+
+def _held(section: str, held: Sequence[Finding], findings: Sequence[Finding]) -> str:
+    """A section's good news in a line."""
+    if section == "energy":
+        account = [f"the account closes to {f.measured} of the largest energy" for f in held if f.id == "energy.account"]
+        dissipated = ["its dissipation is what quadrature gives" for f in held if f.id == "energy.dissipated"]
+        return "; ".join([*account, *dissipated, *("the control takes energy" for f in held if f.id == "energy.control-takes")])
+    if section == "boundedness":
+        margins = [f for f in held if f.id.startswith("margin.")]
+        kept = [f"{f.id.removeprefix('margin.')} keeps its constraint ({f.measured.split(';')[0]})" for f in margins]
+        signals = len(held) - len(margins)
+        return "; ".join([*([f"{signals} signals do not grow along the trials"] if signals else []), *kept])
+    if section == "composite energy":
+        return f"E_j(T_b) falls from trial to trial at lambda = {listed([f.id.partition('=')[2] for f in held])} 1/s"
+    if section == "gain conditions":
+        return f"{listed(list(dict.fromkeys(f.id.split('.')[1] for f in held)))} are large enough on this run"
+    if section == "assumptions":
+        return "; ".join(dict.fromkeys(_assumed(f) for f in held))
+    names = listed([f.id.partition(".")[2] for f in held])
+    return f"all {len(held)} figures of merit are settled" if len(held) == len(findings) else f"settled are {names}"
+
+
+def _assumed(finding: Finding) -> str:
+    """An assumption that held, in a few words."""
+    _, kind, *port = finding.id.split(".")
+    return {
+        "alignment": "trials are aligned",
+        "equal-starts": "starts are equal",
+        "repetition": "disturbance and reference repeat",
+        "bound": f"{finding.criterion.split(' <=')[0]} stays within its stated bound",
+        "moving": f"{'.'.join(port)} never stands still for a trial",
+        "trapped-energy": "no energy is trapped behind sticking ports",
+    }.get(kind, finding.criterion)
+
+
+def failing(audit: Audit) -> list[str]:
+    """What does not hold, each with what it means; what is of one kind together."""
+    together = ("resolution", "composite energy")
+    lines = [f"Asked: {f.criterion}. Found: {f.measured}. {f.meaning}" for f in audit.failed if f.section not in together]
+    rising = [f for f in audit.failed if f.section == "composite energy"]
+    if rising:
+        told = [f"{f.id.partition('=')[2]} 1/s ({f.measured.partition('rises: ')[2]})" for f in rising]
+        why = " ".join(dict.fromkeys(f.meaning for f in rising))
+        lines.append(f"E_j(T_b) rises from one trial to the next at lambda = {listed(told)}. {why}")
+    loose = [f for f in audit.failed if f.section == "resolution"]
+    if loose:
+        told = [f"{f.id.removeprefix('resolution.')} ({f.measured.partition('; ')[2]})" for f in loose]
+        lines.append(f"Not settled by modes and step: {listed(told)}. Read these as orders of magnitude.")
+    return lines
+
+
+def reasons(audit: Audit | None, credit: Credit | None) -> list[str]:
+    """Why: what is trapped, and what each part of the law is worth."""
+    lines = []
+    if audit is not None:
+        lines += [f.meaning for f in audit.findings if f.id == "assumption.trapped-energy"]
+    return lines + ([] if credit is None else credited(credit, audit))
+
+
+def credited(credit: Credit, audit: Audit | None = None) -> list[str]:
+    """A sentence for each port: what control, damping and each part of the law are worth there."""
+    return [line for one in credit.whole.ports if (line := _at_port(credit, one.port, _alike(audit, one.port)))]
+
+
+def _alike(audit: Audit | None, port: str) -> float:
+    """How close two residuals must be to be told as alike: not what twice the modes or half the step change."""
+    row = next((f for f in (audit.findings if audit else ()) if f.id == f"resolution.RMS error at {port}, last trial"), None)
+    if row is None:
+        return ALIKE
+    own = row.values["as it is"].value
+    others = [row.values[name].value for name in ("twice the modes", "half the step")]
+    moves = [
+        abs(other - own) / max(abs(own), abs(other), 1e-300)
+        for other in others
+        if isinstance(other, float) and isinstance(own, float)
+    ]
+    return max([ALIKE, *(2 * move for move in moves)])
+
+
+def _at_port(credit: Credit, port: str, alike: float) -> str:
+    own, unit = credit.whole.at(port).residual, credit.whole.at(port).motion_unit
+
+    def told(name: str) -> float | None:
+        variant = credit.get(name)
+        return variant.at(port).residual if variant is not None and variant.ports else None
+
+    free, damped = told("no control"), told("damping only")
+    text = f"{port}: the RMS error at the end is {quantity(own, unit)}"
+    if free:
+        text += f", {percent(own / free)} of the {quantity(free, unit)} without control"
+    if damped is not None:
+        text += f"; damping alone comes to {quantity(damped, unit)}" + (", which is less" if damped < (1 - alike) * own else "")
+    parts = [(variant, variant.at(port).residual / own) for variant in _left_out(credit) if own > 0]
+    worth = sorted(((v, r) for v, r in parts if r > 1 + alike), key=lambda pair: -pair[1])
+    harm = sorted(((v, r) for v, r in parts if r < 1 - alike), key=lambda pair: pair[1])
+    text += f". What helps: {listed([_told(v, r) for v, r in worth])}" if worth else ""
+    text += f". What harms: {listed([_told(v, r) for v, r in harm])}" if harm else ""
+    held, held_free = told("frequencies held"), told("no control, frequencies held")
+    if held is not None and free and held_free:
+        text += f". Frequencies that do not grow: {quantity(held, unit)}, {quantity(held_free, unit)} without control"
+        text += f": their growth alone takes {percent(1 - free / held_free)}" if free < held_free else ""
+    ideal = told("ideal actuator")
+    text += f". Through an ideal actuator: {quantity(ideal, unit)}" if ideal is not None else ""
+    return text + "."
+
+
+def _left_out(credit: Credit) -> list[Variant]:
+    return [v for v in credit.variants if v.ports and (v.name.startswith("without ") or v.name == "nothing learned")]
+
+
+def _part(variant: Variant) -> str:
+    return "learning" if variant.name == "nothing learned" else variant.name.removeprefix("without ").removeprefix("all ")
+
+
+def _told(variant: Variant, ratio: float) -> str:
+    """A part, and by what the residual is multiplied without it."""
+    return f"{_part(variant)} ({TIMES}{number(ratio, 2)} without)"
