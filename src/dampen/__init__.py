@@ -10,6 +10,11 @@ from dampen.actuators.ideal import Ideal as Ideal
 from dampen.actuators.prandtl_ishlinskii import PrandtlIshlinskii as PrandtlIshlinskii
 from dampen.actuators.rate_limit import RateLimit as RateLimit
 from dampen.actuators.saturation import Saturation as Saturation
+from dampen.analysis.audit.audit import Audit as Audit
+from dampen.analysis.audit.audit import audit as audit
+from dampen.analysis.audit.finding import Finding as Finding
+from dampen.analysis.credit import Credit as Credit
+from dampen.analysis.credit import credit as credit
 from dampen.analysis.sampling_cost import sampling_cost as sampling_cost
 from dampen.component import ArgumentError as ArgumentError
 from dampen.controllers.adaptive_boundary import AdaptiveBoundary as AdaptiveBoundary

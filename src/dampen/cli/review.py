@@ -19,8 +19,8 @@ if TYPE_CHECKING:
 EXIT = "Exit status: 0 when the run completed, whatever was found; 2 for bad input; 3 when it broke off, with what it has saved."
 AUDIT_HELP = (
     "Run a scenario and audit it: the energy account, how figures move with twice the modes and half the step, the assumptions "
-    "of the law's proof as the run had them, every bound, the proof's energy and gain conditions; and what each part of the law is "
-    "worth.\n\nExamples:\n\n  dampen audit he2017\n\n  dampen audit he2017 --set controller.compensate=false\n\n"
+    "of the law's proof as the run had them, every bound, the proof's energy and gain conditions; and what each part of the law "
+    "is worth.\n\nExamples:\n\n  dampen audit he2017\n\n  dampen audit he2017 --set controller.compensate=false\n\n"
     f"Writes what `dampen run` writes, with a review in the report and every number in audit.json. {EXIT}"
 )
 CREDIT_HELP = (

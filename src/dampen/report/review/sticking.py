@@ -6,6 +6,7 @@ from typing import Any
 
 import numpy as np
 from matplotlib.figure import Figure
+from matplotlib.ticker import FuncFormatter
 from matplotlib.transforms import blended_transform_factory
 
 from dampen.analysis.audit.sticking import Sticking
@@ -34,6 +35,8 @@ def draw_sticking(run: Result, found: Sticking) -> tuple[Figure, str]:
     rows = len(found.ports) + 0.6
     floor = low / 1.5 / (high / low) ** (BAND * rows / (1 - BAND * rows))
     log_axis(axes, "energy [J]", floor, high)
+    written = axes.yaxis.get_major_formatter()
+    axes.yaxis.set_major_formatter(FuncFormatter(lambda y, i: written(y, i) if y > low / 1.3 else ""))  # clear of the rows
     draw_sticks(axes, run, found)
     legend_row(figure, handles)
     return figure, sentence(run, found)

@@ -11,6 +11,7 @@ from dampen.report.study.views.sensitivity import listed
 from dampen.report.style import TIMES, number, percent, quantity
 
 ALIKE = 0.1  # residuals closer than this share, or than the resolution, are alike
+HELD = ("frequencies held", "no control, frequencies held")
 HEADINGS = {
     "energy": "Energy",
     "resolution": "Resolution",
@@ -100,8 +101,8 @@ def reasons(audit: Audit | None, credit: Credit | None) -> list[str]:
 
 
 def credited(credit: Credit, audit: Audit | None = None) -> list[str]:
-    """A sentence for each port: what control, damping and each part of the law are worth there."""
-    return [line for one in credit.whole.ports if (line := _at_port(credit, one.port, _alike(audit, one.port)))]
+    """For each port: what it comes to, with and without control, and what each part of the law is worth there."""
+    return [line for one in credit.whole.ports for line in _at_port(credit, one.port, _alike(audit, one.port)) if line]
 
 
 def _alike(audit: Audit | None, port: str) -> float:
@@ -119,31 +120,39 @@ def _alike(audit: Audit | None, port: str) -> float:
     return max([ALIKE, *(2 * move for move in moves)])
 
 
-def _at_port(credit: Credit, port: str, alike: float) -> str:
+def _at_port(credit: Credit, port: str, alike: float) -> list[str]:
     own, unit = credit.whole.at(port).residual, credit.whole.at(port).motion_unit
 
     def told(name: str) -> float | None:
         variant = credit.get(name)
         return variant.at(port).residual if variant is not None and variant.ports else None
 
-    free, damped = told("no control"), told("damping only")
+    free, damped, ideal = told("no control"), told("damping only"), told("ideal actuator")
     text = f"{port}: the RMS error at the end is {quantity(own, unit)}"
-    if free:
-        text += f", {percent(own / free)} of the {quantity(free, unit)} without control"
+    text += f", {percent(own / free)} of the {quantity(free, unit)} without control" if free else ""
     if damped is not None:
         text += f"; damping alone comes to {quantity(damped, unit)}" + (", which is less" if damped < (1 - alike) * own else "")
+    text += f"; through an ideal actuator it would be {quantity(ideal, unit)}" if ideal is not None else ""
+    return [f"{text}.", _worth(credit, port, own, alike), _growth(port, unit, free, *map(told, HELD))]
+
+
+def _worth(credit: Credit, port: str, own: float, alike: float) -> str:
+    """Which parts help at a port, and which harm."""
     parts = [(variant, variant.at(port).residual / own) for variant in _left_out(credit) if own > 0]
     worth = sorted(((v, r) for v, r in parts if r > 1 + alike), key=lambda pair: -pair[1])
     harm = sorted(((v, r) for v, r in parts if r < 1 - alike), key=lambda pair: pair[1])
-    text += f". What helps: {listed([_told(v, r) for v, r in worth])}" if worth else ""
-    text += f". What harms: {listed([_told(v, r) for v, r in harm])}" if harm else ""
-    held, held_free = told("frequencies held"), told("no control, frequencies held")
-    if held is not None and free and held_free:
-        text += f". Frequencies that do not grow: {quantity(held, unit)}, {quantity(held_free, unit)} without control"
-        text += f": their growth alone takes {percent(1 - free / held_free)}" if free < held_free else ""
-    ideal = told("ideal actuator")
-    text += f". Through an ideal actuator: {quantity(ideal, unit)}" if ideal is not None else ""
-    return text + "."
+    helps = f"What helps at {port}: {listed([_told(v, r) for v, r in worth])}." if worth else ""
+    harms = f"What harms at {port}: {listed([_told(v, r) for v, r in harm])}." if harm else ""
+    return f"{helps} {harms}".strip()
+
+
+def _growth(port: str, unit: str, free: float | None, held: float | None, held_free: float | None) -> str:
+    """What the growth of the disturbance's frequencies does by itself."""
+    if held is None or not free or not held_free:
+        return ""
+    text = f"Were the frequencies to stay, {port} would come to {quantity(held, unit)}"
+    text += f", and to {quantity(held_free, unit)} without control"
+    return text + (f": their growth alone takes {percent(1 - free / held_free)}." if free < held_free else ".")
 
 
 def _left_out(credit: Credit) -> list[Variant]:
