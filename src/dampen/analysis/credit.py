@@ -77,8 +77,7 @@ def credit(scenario: Scenario, progress: Progress | None = None) -> Credit:
 
     Raises ArgumentError for a scenario without control: there is nothing to take apart.
     """
-    if isinstance(scenario.controller, NoControl):
-        raise ArgumentError('Argument `controller.kind` must not be "none": without control there is nothing to take apart.')
+    refuse_without_control(scenario)
     planned, batch = list(variants(scenario)), Batch(scenario)
     done = []
     for name, meaning, case in planned:
@@ -86,6 +85,12 @@ def credit(scenario: Scenario, progress: Progress | None = None) -> Credit:
         if progress:
             progress(len(done), len(planned))
     return Credit(scenario.name, tuple(done))
+
+
+def refuse_without_control(scenario: Scenario) -> None:
+    """Raise ArgumentError for a scenario without control."""
+    if isinstance(scenario.controller, NoControl):
+        raise ArgumentError('Argument `controller.kind` must not be "none": without control there is nothing to take apart.')
 
 
 def outcome(batch: Batch, case: Scenario) -> Tally | ArgumentError:

@@ -54,6 +54,10 @@ def audit(
 
 def credit(scenario: ScenarioArgument, set_: SetOption = None, folder: OutOption = None, report: ReportOption = True) -> None:
     """`dampen credit`."""
+    from dampen.analysis.credit import refuse_without_control
+    from dampen.scenarios.read import read_scenario
+
+    refuse_without_control(read_scenario(scenario, set_ or ()))
 
     def reviewed(bench: Bench, result: Result) -> Record:
         return review(bench, result, refine=None, credit=True)
@@ -103,7 +107,7 @@ def coloured(rows: list[tuple[str, str, str, str]]) -> list[tuple[Any, ...]]:
     colours = {"PASS": "green", "FAIL": "bold red", "note": "dim"}
     named, before = [], ""
     for section, *rest, verdict in rows:
-        named.append((section if section != before else "", *rest, Text(verdict, colours[verdict])))
+        named.append((section if section != before else "", *rest, Text(verdict, colours.get(verdict, ""))))
         before = section
     return named
 

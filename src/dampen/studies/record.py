@@ -51,7 +51,7 @@ def write_record(folder: Path, found: Record) -> Path:
 
 def plain(found: Record) -> dict[str, Any]:
     """The record as JSON has it."""
-    values: dict[str, Any] = _adapter().dump_python(found, mode="json")
+    values: dict[str, Any] = json.loads(_adapter().dump_json(found))
     return values
 
 
@@ -62,9 +62,8 @@ def schema() -> dict[str, Any]:
 
 @cache
 def _adapter() -> Any:
-    from pydantic import ConfigDict, TypeAdapter
+    from pydantic import TypeAdapter
 
-    Record.__pydantic_config__ = ConfigDict(ser_json_inf_nan="null", extra="forbid")  # type: ignore[attr-defined]
     return TypeAdapter(Record)
 
 
