@@ -9,9 +9,8 @@ from typing import Literal
 import numpy as np
 
 from dampen.analysis.loops import Eigenvalues, closed_loop, eigenvalues, of_plant
+from dampen.analysis.rate_notes import evidence, law_notes, payload_note, payloads, stage_notes
 from dampen.controllers.base import PortLaw, SampledFeedback, Setting
-from dampen.modal import ModalModel
-from dampen.plants.base import Modes
 from dampen.simulation.bench import Bench
 from dampen.simulation.compose import BARRIERS
 from dampen.simulation.passes import begun, law_of
@@ -19,8 +18,8 @@ from dampen.simulation.scenario import Scenario
 from dampen.simulation.setting import setting_of
 
 Array = np.ndarray
+Loop = Literal["continuous", "continuous twin", "sampled"]
 GROWING = 1e-9  # of the largest eigenvalue: growth below this is round-off
-WHERE = 1e-9  # of the span: lumps and ports nearer than this are in one place
 
 
 @dataclass(frozen=True)
@@ -78,7 +77,7 @@ class Rates:
     the continuum without a uniform rate.   notes: what has to be known with the numbers, one line each.
     """
 
-    loop: Literal["continuous", "continuous twin", "sampled"]
+    loop: Loop
     modes: tuple[LoopMode, ...]
     others: tuple[OtherMode, ...]
     slowest: int | None
@@ -101,7 +100,7 @@ def rates(scenario: Scenario, bench: Bench | None = None) -> Rates | NoRates:
 
     Port by port, with K_p also the curvature of a barrier at zero error (none for the log barrier, 1/C^2 for tan),
 
-        q'' + 2 decay q' + omega^2 q = sum_p b_p F_p,    F_p = gain_p u_p, behind lags if there are any,    u_p = -D_p y_p' - K_p y_p
+        q'' + 2 decay q' + omega^2 q = sum_p b_p F_p,    u_p = -D_p y_p' - K_p y_p,    F_p = gain_p u_p, behind lags if any
 
     The rule for what is not linear: a coulomb term has no slope at rest, so a law with one has no rates (NoRates). An actuator
     counts with its slope in full motion, and a lag with its time constant; gaps, limits and memory are left out, and a note
@@ -121,35 +120,29 @@ def rates(scenario: Scenario, bench: Bench | None = None) -> Rates | NoRates:
         return table(found, plant, "sampled", sampled.known, notes)
     if isinstance(controller, SampledFeedback):
         name = type(controller).__name__
-        return NoRates(
-            f"{name} acts through samples by a function of its own: its loop is not known, as it has no `sampled_loop`."
-        )
+        return NoRates(f"{name} acts through samples by its own function, without `sampled_loop`: its loop is unknown.")
     law = law_of(scenario, begun(controller, setting), setting)
     dry = [port for p, port in enumerate(scenario.ports) if setting.gains[p] * law.coulomb[:, p].max() > 0]
     if dry:
         return NoRates(
-            f"The law has a coulomb term at {', '.join(dry)}: it is set-valued at rest, where the port sticks, and no linear loop "
-            "stands for it."
+            f"The law has a coulomb term at {', '.join(dry)}: it is set-valued at rest, where the port sticks, and no linear "
+            "loop stands for it."
         )
     stiffness = law.stiffness + barrier_stiffness(law, setting, controller.barrier_shape)
     found = eigenvalues(closed_loop(bench.modes, law.damping, stiffness, chains), plant)
     driven = setting.gains * (law.damping + law.stiffness + law.barrier) > 0
     notes = law_notes(scenario, law, setting) + stage_notes(scenario, setting, list(driven))
     damped = setting.gains * law.damping > 0
-    payload, evidence = payloads(bench.modes, damped), ()
-    if payload and np.all(np.array([port in payload for port in scenario.ports]) | ~damped):
-        evidence = tuple((n, slowest_of(bench.modes, n, law.damping, stiffness, chains)) for n in fewer(bench.modes.count))
-        notes.append(payload_note(payload, evidence, bench.modes.damped))
-    return replace(table(found, plant, "continuous twin" if scenario.sampled else "continuous", None, notes), with_modes=evidence)
+    payload = payloads(bench.modes, damped)
+    slowest: tuple[tuple[int, float], ...] = ()
+    if payload and all(port in payload for port, is_damped in zip(scenario.ports, damped, strict=True) if is_damped):
+        slowest = evidence(bench.modes, law.damping, stiffness, chains)
+        notes.append(payload_note(payload, slowest, bench.modes.damped))
+    how: Loop = "continuous twin" if scenario.sampled else "continuous"
+    return replace(table(found, plant, how, None, notes), with_modes=slowest)
 
 
-def table(
-    found: Eigenvalues,
-    plant: Array,
-    loop: Literal["continuous", "continuous twin", "sampled"],
-    known: int | None,
-    notes: list[str],
-) -> Rates:
+def table(found: Eigenvalues, plant: Array, loop: Loop, known: int | None, notes: list[str]) -> Rates:
     """The eigenvalues as rates and frequencies."""
     n = len(plant)
     modes = tuple(
@@ -192,64 +185,3 @@ def barrier_stiffness(law: PortLaw, setting: Setting, shape: str) -> Array:
         for side in (setting.high[0], -setting.low[0])
     ]
     return np.asarray(law.barrier * np.mean(both, axis=0))
-
-
-def law_notes(scenario: Scenario, law: PortLaw, setting: Setting) -> list[str]:
-    """What the linear loop leaves out of the law."""
-    notes = []
-    if scenario.sampled:
-        notes.append("The law acts through samples, port by port: these are the rates of the same law acting continuously.")
-    if np.any(setting.gains * law.barrier > 0):
-        notes.append("The barrier counts with its curvature at zero error: farther out it is stiffer.")
-    if scenario.controller.begin(setting):
-        notes.append("The law learns between trials: these are the rates of trial 0; a learned feedforward does not move them.")
-    return notes
-
-
-def stage_notes(scenario: Scenario, setting: Setting, driven: Sequence[bool]) -> list[str]:
-    """Which actuators are taken for linear that are not."""
-    curved: dict[str, list[str]] = {}
-    for p, port in enumerate(scenario.ports):
-        names = [type(stage).__name__ for stage in scenario.chain(p) if not stage.is_linear]
-        if names and driven[p]:
-            curved.setdefault(f"slope {setting.gains[p]:.4g} of {', '.join(names)}", []).append(port)
-    return [
-        f"At {', '.join(ports)} the rates hold for the {what} in full motion: where motion is large against gaps and stays within "
-        "limits. Smaller or larger motion decays otherwise."
-        for what, ports in curved.items()
-    ]
-
-
-def payloads(modes: Modes, damped: Array) -> dict[str, float]:
-    """The damped ports at which a lumped inertia sits, with that inertia [kg, kg m^2]."""
-    found = {}
-    for port, is_damped in zip(modes.ports, damped, strict=True):
-        lumps = [lump for f in modes.fields if f.name == port.field for lump in f.lumps]
-        near = WHERE * max([abs(x) for x, _ in lumps], default=0.0)
-        there = sum(inertia for x, inertia in lumps if abs(x - port.x) <= near)
-        if is_damped and there > 0:
-            found[port.name] = there
-    return found
-
-
-def payload_note(payload: dict[str, float], evidence: Sequence[tuple[int, float]], plant_damped: bool) -> str:
-    """The warning that comes with a payload."""
-    falls = ", ".join(f"{rate:.3g} 1/s with {n}" for n, rate in evidence)
-    left = (
-        "towards high modes only the plant's own damping is left" if plant_damped else "the continuum has no uniform decay rate"
-    )
-    return (
-        f"There is a payload where the law damps, at {', '.join(payload)}: the higher a mode, the less it moves there, and {left}. "
-        f"The slowest of the modes kept decays at {falls} modes."
-    )
-
-
-def fewer(count: int) -> list[int]:
-    """A quarter of the modes, a half, and all."""
-    return sorted({max(1, count // 4), max(1, count // 2), count})
-
-
-def slowest_of(model: ModalModel, count: int, damping: Array, stiffness: Array, chains: Sequence[Sequence]) -> float:  # type: ignore[type-arg]
-    """The slowest rate of the loop around the lowest `count` modes [1/s]."""
-    lowest = ModalModel(omega=model.omega[:count], b=model.b[:, :count], decay=model.decay[:count])
-    return float(-np.linalg.eigvals(closed_loop(lowest, damping, stiffness, chains)).real.max())
