@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from abc import abstractmethod
 from collections.abc import Callable
 from typing import ClassVar
@@ -37,6 +38,21 @@ class Stage(Component):
     @abstractmethod
     def gain(self) -> float:
         """Slope of the output against the input in full, slow motion: the linear part, the rest is a bounded deviation."""
+
+    @property
+    def deviation(self) -> tuple[float, float]:
+        """The least and the largest that `output - gain * input` can be, whatever the motion; infinite unless it is known."""
+        return -math.inf, math.inf
+
+    @property
+    def lag_time(self) -> float:
+        """Time constant tau [s] with which the output follows the input, as gain / (1 + tau s); 0: at once."""
+        return 0.0
+
+    @property
+    def is_linear(self) -> bool:
+        """Whether the output is linear in the input, but for a constant: nothing else deviates, unless it lags."""
+        return self.lag_time > 0 or self.deviation[0] == self.deviation[1]
 
     def feedthrough(self, dt: float) -> float:
         """Slope of the output against the input within one step: less than `gain` where the actuator lags. Must be > 0."""

@@ -27,5 +27,9 @@ class Absent(Stage):
     def gain(self) -> float:
         return 0.0
 
+    @property
+    def deviation(self) -> tuple[float, float]:
+        return 0.0, 0.0
+
     def feedthrough(self, dt: float) -> float:
         return 1.0

@@ -43,3 +43,7 @@ class Backlash(Stage):
     @property
     def gain(self) -> float:
         return self.slope
+
+    @property
+    def deviation(self) -> tuple[float, float]:
+        return -self.slope * self.right, -self.slope * self.left

@@ -129,5 +129,9 @@ class BoucWen(Stage):
         return self.slope
 
     @property
+    def deviation(self) -> tuple[float, float]:
+        return -abs(self.hysteresis) * self.limit, abs(self.hysteresis) * self.limit
+
+    @property
     def monotone(self) -> bool:
         return self.slope + self.hysteresis * self.a * max(1.0, 2 * self.beta / (self.beta + self.gamma)) >= 0

@@ -73,3 +73,8 @@ class Effectiveness(Stage):
     @property
     def gain(self) -> float:
         return self.values[0] if self.values[0] > 0 else 1.0
+
+    @property
+    def deviation(self) -> tuple[float, float]:
+        """None while e stays what `gain` says; what is lost or regained grows with the command."""
+        return (0.0, 0.0) if all(e == self.gain for e in self.values) else super().deviation

@@ -53,5 +53,9 @@ class FirstOrderLag(Stage):
     def gain(self) -> float:
         return 1.0
 
+    @property
+    def lag_time(self) -> float:
+        return self.time_constant
+
     def feedthrough(self, dt: float) -> float:
         return mean_rise(dt / self.time_constant)

@@ -26,3 +26,7 @@ class Ideal(Stage):
     @property
     def gain(self) -> float:
         return 1.0
+
+    @property
+    def deviation(self) -> tuple[float, float]:
+        return 0.0, 0.0

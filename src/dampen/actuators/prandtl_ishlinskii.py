@@ -46,3 +46,9 @@ class PrandtlIshlinskii(Stage):
     @property
     def gain(self) -> float:
         return self.linear + sum(self.weights)
+
+    @property
+    def deviation(self) -> tuple[float, float]:
+        """Every play is within its radius of the command."""
+        most = sum(w * r for w, r in zip(self.weights, self.radii, strict=True))
+        return -most, most

@@ -5,7 +5,7 @@ from __future__ import annotations
 from abc import abstractmethod
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
-from typing import Any, ClassVar, Literal
+from typing import Any, ClassVar, Literal, NamedTuple
 
 import numpy as np
 
@@ -127,6 +127,17 @@ class Trial:
     command: Array
 
 
+class SampledLoop(NamedTuple):
+    """The closed loop of a linear sampled law around all modes of the structure, from sample to sample, x+ = matrix x.
+
+    x: q of all modes, q' of all modes, then what the law keeps: best the errors of its estimates, so that what belongs to the
+    structure and what to the observer stand apart. known: how many of the lowest modes the law is designed on.
+    """
+
+    matrix: Array
+    known: int
+
+
 class Controller(Component):
     """A law at the ports (inner loop) and what it learns between trials (outer loop). Memories are (steps, ports) arrays."""
 
@@ -156,6 +167,13 @@ class Controller(Component):
     def notes(self, setting: Setting) -> list[str]:
         """What the user should know before the run, one line each."""
         return []
+
+    def sampled_loop(self, setting: Setting) -> SampledLoop | None:
+        """The loop that a law of samples makes with the structure, `setting.model()`; None: it is not linear, or does not say.
+
+        A law that acts port by port need not say: its loop is known from `law`.
+        """
+        return None
 
     def compensation(self, port: Port) -> tuple[Stage, ...]:
         """Stages between the law's value and the actuator's input: the controller's own idea of the actuator."""

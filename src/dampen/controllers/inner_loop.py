@@ -55,6 +55,10 @@ class FlankInverse(Stage):
     def gain(self) -> float:
         return 1 / self.assumed.slope
 
+    @property
+    def deviation(self) -> tuple[float, float]:
+        return self.assumed.left, self.assumed.left
+
 
 @dataclass(frozen=True)
 class InnerLoop(Controller):

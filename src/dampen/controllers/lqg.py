@@ -11,7 +11,7 @@ from annotated_types import Ge, Gt, Unit
 from typing_extensions import Doc
 
 from dampen.component import ArgumentError
-from dampen.controllers.base import Array, SampledFeedback, SampledStep, Setting, named
+from dampen.controllers.base import Array, SampledFeedback, SampledLoop, SampledStep, Setting, named
 from dampen.modal import ModalModel, propagator
 
 UNASKED = 1e-12  # weight at rest of a port that nobody asked to be anywhere
@@ -122,15 +122,27 @@ class LQG(SampledFeedback):
         given = np.where(weight > 0, weight / max(weight.max(), 1e-300), 1.0)
         return np.where(asked, given, UNASKED)
 
-    def notes(self, setting: Setting) -> list[str]:
-        """A warning where the modes that the design leaves out, or the rest of the loop, would grow."""
+    def sampled_loop(self, setting: Setting) -> SampledLoop:
+        """The loop around all modes: x, with the commands under way, and e = x - x_hat of what the model has of it.
+
+        With x' for the corrected estimate, u = -hold x' and x' = x_hat + correct (y - C x_hat); x_hat+ = A x' + B u of the model.
+        """
         a, b, c = sampled_model(setting.model(), setting)
         d = self.design(setting)
         predict = d.a - d.b @ d.hold
         corrected = np.eye(len(d.a)) - d.correct @ d.c
         feed = -d.hold @ d.correct @ c
         loop = np.block([[a + b @ feed, -b @ d.hold @ corrected], [predict @ d.correct @ c, predict @ corrected]])
-        radius = float(np.abs(np.linalg.eigvals(loop)).max())
+        count, known = setting.model().count, min(self.modes, setting.model().count)
+        seen = np.concatenate([np.arange(known), count + np.arange(known), np.arange(2 * count, len(a))])
+        swap = np.eye(len(loop))  # (x, x_hat) to (x, e), and back
+        swap[len(a) + np.arange(len(d.a)), seen] = 1
+        swap[len(a) :, len(a) :] *= -1
+        return SampledLoop(swap @ loop @ swap, known)
+
+    def notes(self, setting: Setting) -> list[str]:
+        """A warning where the modes that the design leaves out, or the rest of the loop, would grow."""
+        radius = float(np.abs(np.linalg.eigvals(self.sampled_loop(setting).matrix)).max())
         if radius <= 1 + 1e-9:
             return []
         return [

@@ -38,6 +38,16 @@ def potential(y, limit):
     return 0.25 * fresh(edge, limit) ** 2 + steepest(limit) * (abs(y) - edge)
 
 
+def reach(level, limit):
+    """The |y| at which V is `level`: C sqrt(1 - exp(-2 sqrt(V)))."""
+    return limit * math.sqrt(-math.expm1(-2 * math.sqrt(level)))
+
+
+def curvature(limit):
+    """V'' at 0: none, V begins as y^4 / (4 C^4)."""
+    return 0.0
+
+
 def gradient(y, y_new, log_y, limit):
     """(V(y_new) - V(y)) / (y_new - y), without 0/0; `log_y` is fresh(y, limit), or anything once y is beyond the edge.
 

@@ -30,6 +30,16 @@ def potential(y, limit):
     return sine / cosine / math.pi + steepest(limit) * (abs(y) - inside)
 
 
+def reach(level, limit):
+    """The |y| at which V is `level`: y^2 = 2 C^2 atan(pi V) / pi."""
+    return limit * math.sqrt(math.atan(math.pi * level) / HALF_PI)
+
+
+def curvature(limit):
+    """V'' at 0: 1 / C^2."""
+    return 1 / (limit * limit)
+
+
 def gradient(y, y_new, memo, limit):
     """(V(y_new) - V(y)) / (y_new - y) = sin(d)/d (y + y_new) / (2 C^2 cos a cos a_new), d = a_new - a."""
     edge = EDGE * limit

@@ -50,3 +50,7 @@ class BacklashInverse(Stage):
     @property
     def gain(self) -> float:
         return 1 / self.slope
+
+    @property
+    def deviation(self) -> tuple[float, float]:
+        return self.left, self.right

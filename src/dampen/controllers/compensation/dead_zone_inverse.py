@@ -43,3 +43,7 @@ class DeadZoneInverse(Stage):
     @property
     def gain(self) -> float:
         return 1 / self.slope
+
+    @property
+    def deviation(self) -> tuple[float, float]:
+        return self.left, self.right

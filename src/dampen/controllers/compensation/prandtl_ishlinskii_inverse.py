@@ -39,12 +39,22 @@ class PrandtlIshlinskiiInverse(Stage):
         check_plays(self.weights, self.radii)
 
     def row(self, dt: float) -> tuple[float, ...]:
+        return play_row(1 / self.linear, *self._plays())
+
+    def _plays(self) -> tuple[list[float], list[float]]:
+        """Weights c_i and radii of the inverse's own plays."""
         slopes = list(accumulate(self.weights, initial=self.linear))
         weights = [-w / (before * after) for w, (before, after) in zip(self.weights, pairwise(slopes), strict=True)]
         steps = [b - a for a, b in pairwise((0.0, *self.radii))]
         radii = list(accumulate(slope * step for slope, step in zip(slopes, steps, strict=False)))
-        return play_row(1 / self.linear, weights, radii)
+        return weights, radii
 
     @property
     def gain(self) -> float:
         return 1 / (self.linear + sum(self.weights))
+
+    @property
+    def deviation(self) -> tuple[float, float]:
+        """Every play is within its radius of the command."""
+        most = sum(abs(c) * r for c, r in zip(*self._plays(), strict=True))
+        return -most, most
