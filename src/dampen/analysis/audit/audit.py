@@ -10,7 +10,10 @@ from dampen.analysis.audit.boundedness import boundedness
 from dampen.analysis.audit.composite import composite
 from dampen.analysis.audit.energetics import energetics
 from dampen.analysis.audit.finding import Finding
+from dampen.analysis.audit.loop import bound_rows, rate_rows
 from dampen.analysis.audit.resolution import resolution
+from dampen.analysis.bounds import Bounds, bounds
+from dampen.analysis.rates import NoRates, Rates, rates
 from dampen.component import ArgumentError
 from dampen.simulation.bench import Bench
 from dampen.simulation.result import Result
@@ -18,10 +21,12 @@ from dampen.simulation.result import Result
 
 @dataclass(frozen=True)
 class Audit:
-    """What was found in a run of a scenario, section by section."""
+    """What was found in a run of a scenario, section by section; the closed loop's rates, and the a-priori bounds."""
 
     scenario: str
     findings: tuple[Finding, ...]
+    rates: Rates | NoRates
+    bounds: Bounds
 
     def __getitem__(self, id: str) -> Finding:
         return next(finding for finding in self.findings if finding.id == id)
@@ -51,11 +56,14 @@ def audit(result: Result, *, refine: bool = True, bench: Bench | None = None) ->
     """
     if not result.trials:
         raise ArgumentError("Argument `result` must have a finished trial, but has none.")
-    return Audit(result.scenario.name, tuple(findings(result, bench or Bench(result.scenario), refine)))
+    bench = bench or Bench(result.scenario)
+    found, limits = rates(result.scenario, bench), bounds(result, bench)
+    loop = (*rate_rows(found), *bound_rows(limits, result.scenario))
+    return Audit(result.scenario.name, (*findings(result, bench, refine), *loop), found, limits)
 
 
 def findings(result: Result, bench: Bench, refine: bool) -> Iterator[Finding]:
-    """All rows, in the order of the page."""
+    """The rows of the run, in the order of the page."""
     yield from energetics(result, bench)
     if refine:
         yield from resolution(result)

@@ -9,7 +9,7 @@ from typing import Literal
 Number = float | int | None
 Values = Mapping[str, "Quantity"]
 Verdict = Literal["PASS", "FAIL", "n/a", "note"]
-Section = Literal["energy", "resolution", "assumptions", "boundedness", "composite energy", "gain conditions"]
+Section = Literal["energy", "resolution", "assumptions", "boundedness", "composite energy", "gain conditions", "rates", "bounds"]
 
 
 @dataclass(frozen=True)

@@ -7,9 +7,13 @@ from dataclasses import dataclass, field
 from typing import Any
 
 from dampen.analysis.audit.finding import Finding
+from dampen.analysis.rates import Rates
 from dampen.report.review import words
 from dampen.report.review.tables import audit_tables, credit_columns, credit_rows
+from dampen.report.style import number
 from dampen.studies.record import Record
+
+LOWEST = 10  # modes of the rates' table
 
 
 @dataclass(frozen=True)
@@ -53,6 +57,8 @@ def parts(record: Record, figures: Sequence[Any] = ()) -> Parts:
 def tables(record: Record) -> list[Table]:
     """The tables of the parts beside the audit."""
     found = []
+    if record.audit is not None and isinstance(record.audit.rates, Rates):
+        found.append(rates_table(record.audit.rates))
     if record.credit is not None:
         about = (
             "The experiment with one part left out at a time. Residual: RMS error of the last five trials; effort: RMS of the "
@@ -61,3 +67,24 @@ def tables(record: Record) -> list[Table]:
         refused = [f"{v.name}: {v.meaning}" for v in record.credit.variants if v.status == "refused"]
         found.append(Table("Credit", about, credit_columns(record.credit), credit_rows(record.credit), refused))
     return found
+
+
+def rates_table(found: Rates) -> Table:
+    """The closed loop mode by mode: the lowest, and after a gap the slowest and the highest."""
+    shown = [m for m in found.modes if m.number <= LOWEST or m.number in (found.slowest, len(found.modes)) or m.rate < 0]
+    known = any(not m.known for m in found.modes)
+    columns = ["mode", "plant [Hz]", "plant decays [1/s]", "closed loop [Hz]", "decays [1/s]", "damping ratio"]
+    rows = []
+    for m in shown:
+        name = (
+            f"{m.number}" + (" (slowest)" if m.number == found.slowest else "") + ("" if m.known or not known else ", left out")
+        )
+        rates = (m.plant_frequency, m.plant_rate, m.frequency, m.rate, m.ratio)
+        rows.append((name, *(number(value) for value in rates)))
+    how = {
+        "continuous": "acting continuously",
+        "continuous twin": "acting continuously (it runs through samples)",
+        "sampled": "from sample to sample",
+    }
+    about = f"Eigenvalues of the loop around all {len(found.modes)} modes, the law {how[found.loop]}; {len(rows)} of the modes are shown."
+    return Table("Rates", about, columns, rows, found.notes)

@@ -19,6 +19,8 @@ HEADINGS = {
     "boundedness": "Boundedness",
     "composite energy": "Composite energy",
     "gain conditions": "Gain conditions",
+    "rates": "Rates",
+    "bounds": "A-priori bounds",
 }
 
 
@@ -57,6 +59,10 @@ def _held(section: str, held: Sequence[Finding], findings: Sequence[Finding]) ->
         return f"E_j(T_b) falls from trial to trial at lambda = {listed([f.id.partition('=')[2] for f in held])} 1/s"
     if section == "gain conditions":
         return f"{listed(list(dict.fromkeys(f.id.split('.')[1] for f in held)))} are large enough on this run"
+    if section == "rates":
+        return "; ".join(f.measured for f in held)
+    if section == "bounds":
+        return f"kept ({held[0].measured})"
     if section == "assumptions":
         return "; ".join(dict.fromkeys(_assumed(f) for f in held))
     names = listed([f.id.partition(".")[2] for f in held])

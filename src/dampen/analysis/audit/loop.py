@@ -1,0 +1,81 @@
+"""The closed loop's rates and the a-priori bounds, as rows of the audit."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from dampen.analysis.audit.finding import Finding, Quantity
+from dampen.analysis.bounds import Bounds
+from dampen.analysis.rates import NoRates, Rates
+from dampen.simulation.scenario import Scenario
+
+
+def rate_rows(found: Rates | NoRates) -> Iterator[Finding]:
+    """Does every motion of the loop decay, and does a reduced-order law harm the modes that it left out?"""
+    criterion = "every mode of the closed loop decays"
+    if isinstance(found, NoRates):
+        yield Finding.of("rates", "rates.slowest", criterion, "not a linear law", None, found.reason, {})
+        return
+    whose = f"mode {found.slowest}" if found.slowest else "a motion that is no mode of the plant"
+    yield Finding.of(
+        "rates",
+        "rates.slowest",
+        criterion,
+        f"slowest {found.rate:.3g} 1/s, {whose}; {len(found.modes)} modes",
+        found.rate >= 0 and not found.growing,
+        " ".join(found.notes) or "Each mode has the rate that the table gives.",
+        {
+            "slowest rate": Quantity(found.rate, "1/s"),
+            "rate, by mode": Quantity(tuple(mode.rate for mode in found.modes), "1/s"),
+            "frequency, by mode": Quantity(tuple(mode.frequency for mode in found.modes), "Hz"),
+        },
+    )
+    spilt = found.spillover
+    if spilt is None:
+        return
+    if spilt.worst is None:
+        measured = f"none of {spilt.left_out} slowed"
+    else:
+        measured = f"{spilt.slowed} of {spilt.left_out} slowed; mode {spilt.worst} by {-spilt.change:.3g} 1/s"
+    yield Finding.of(
+        "rates",
+        "rates.spillover",
+        f"the law, designed on {spilt.known} modes, makes none of those that it left out grow (spillover)",
+        measured,
+        not spilt.growing,
+        f"Growing: modes {', '.join(map(str, spilt.growing))}."
+        if spilt.growing
+        else "What the law does not know of takes no harm."
+        if spilt.worst is None
+        else "The structure's own damping outweighs what the law does to modes that it does not know of.",
+        {"slowed": Quantity(spilt.slowed), "worst change": Quantity(spilt.change, "1/s"), "growing": Quantity(spilt.growing)},
+    )
+
+
+def bound_rows(found: Bounds, scenario: Scenario) -> Iterator[Finding]:
+    """Do energy and ports stay within what a passive law guarantees, from the stated bounds?"""
+    if scenario.controller.kind == "none" and found.holds is not False:
+        return
+    criterion = "energy and barrier, and |y|, within the a-priori bound of a passive law"
+    values = {"measured V, by trial": Quantity(found.measured, "J")}
+    if found.reason:
+        yield Finding.of("bounds", "bounds.energy", criterion, "no bound", None, found.reason, values)
+        return
+    until = found.trials - 1
+    span = "in trial 0" if until == 0 else f"up to trial {until}"
+    ports = [
+        f"|y| at {port.port} {max(port.measured[: found.trials]):.3g} of {port.bound[-1]:.3g} {port.unit}"
+        for port in found.ports
+        if port.bound
+    ]
+    yield Finding.of(
+        "bounds",
+        "bounds.energy",
+        criterion,
+        "; ".join([f"{span}: V {max(found.measured[: found.trials]):.3g} of {max(found.bound):.3g} J", *ports]),
+        found.holds,
+        " ".join(found.notes) or "The bound follows from the stated bounds of the disturbances alone.",
+        values
+        | {"bound on V, by trial": Quantity(found.bound, "J")}
+        | {f"bound on |y| at {port.port}, by trial": Quantity(port.bound, port.unit) for port in found.ports},
+    )
