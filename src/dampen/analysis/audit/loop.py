@@ -23,7 +23,7 @@ def rate_rows(found: Rates | NoRates) -> Iterator[Finding]:
         criterion,
         f"slowest {found.rate:.3g} 1/s, {whose}; {len(found.modes)} modes",
         found.rate >= 0 and not found.growing,
-        " ".join(found.notes) or "Each mode has the rate that the table gives.",
+        (found.notes[-1] if found.with_modes else found.notes[0]) if found.notes else "Each mode has its rate: see the table.",
         {
             "slowest rate": Quantity(found.rate, "1/s"),
             "rate, by mode": Quantity(tuple(mode.rate for mode in found.modes), "1/s"),

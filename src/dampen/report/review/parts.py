@@ -14,6 +14,12 @@ from dampen.report.style import number
 from dampen.studies.record import Record
 
 LOWEST = 10  # modes of the rates' table
+SLOWEST, LEFT_OUT = " (slowest)", ", left out"
+ACTING = {
+    "continuous": "acting continuously",
+    "continuous twin": "acting continuously, which it does not in the run",
+    "sampled": "acting from sample to sample",
+}
 
 
 @dataclass(frozen=True)
@@ -76,15 +82,9 @@ def rates_table(found: Rates) -> Table:
     columns = ["mode", "plant [Hz]", "plant decays [1/s]", "closed loop [Hz]", "decays [1/s]", "damping ratio"]
     rows = []
     for m in shown:
-        name = (
-            f"{m.number}" + (" (slowest)" if m.number == found.slowest else "") + ("" if m.known or not known else ", left out")
-        )
+        name = f"{m.number}{SLOWEST * (m.number == found.slowest)}{LEFT_OUT * (known and not m.known)}"
         rates = (m.plant_frequency, m.plant_rate, m.frequency, m.rate, m.ratio)
         rows.append((name, *(number(value) for value in rates)))
-    how = {
-        "continuous": "acting continuously",
-        "continuous twin": "acting continuously (it runs through samples)",
-        "sampled": "from sample to sample",
-    }
-    about = f"Eigenvalues of the loop around all {len(found.modes)} modes, the law {how[found.loop]}; {len(rows)} of the modes are shown."
+    count = len(found.modes)
+    about = f"Eigenvalues of the loop around all {count} modes, the law {ACTING[found.loop]}; {len(rows)} of the modes are shown."
     return Table("Rates", about, columns, rows, found.notes)
