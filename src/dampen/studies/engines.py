@@ -14,6 +14,7 @@ from concurrent.futures import BrokenExecutor, Executor, Future, ThreadPoolExecu
 from typing import Any
 
 from dampen.component import ArgumentError
+from dampen.simulation.cores import cores
 from dampen.studies.evaluate import Row, Work, evaluate
 
 SCHEMES = ("tcp", "tls", "ws", "wss", "ucx", "ucxx", "inproc")
@@ -83,11 +84,6 @@ class Cores(Engine):
     def renew(self) -> None:
         self.__exit__()
         self.__enter__()
-
-
-def cores() -> int:
-    """How many cores this process may use."""
-    return len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
 
 
 class Cluster(Engine):

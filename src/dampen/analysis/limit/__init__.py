@@ -1,0 +1,1 @@
+"""The least that any forces at the same ports could reach, knowing the disturbance in advance."""
