@@ -135,16 +135,16 @@ def test_a_general_optimiser_under_a_bound_on_the_effort_finds_the_same_limit(ca
 def test_from_rest_what_shakes_the_ports_alone_can_be_cancelled_to_nothing() -> None:
     scenario = dampen.read_scenario(
         "he2017",
-        ["plant.initial={}", "disturbance.load_amplitude=0", "actuator.all.chain=[]", "controller.kind=none", "task.trials=3"],
+        ["plant.initial={}", "disturbance.load_amplitude=0", "actuator.all.chain=[]", "controller.kind=none", "task.trials=2"],
     )
     for of in ("w", "phi"):
-        found = limit(scenario, of, weights=[10.0**k for k in range(0, -19, -2)])
+        found = limit(scenario, of, weights=[10.0**k for k in (0, -3, -6, -9, -12, -15, -17)])
         rms = [point.rms for point in found.points]
         assert all(later < earlier for earlier, later in pairwise(rms))
-        assert rms[-1] < 1e-8 * found.uncontrolled
+        assert rms[-1] < 5e-9 * found.uncontrolled
         bench = Bench(scenario)
-        cancelling = np.concatenate([bench.shaking(j)[0] / scales(scenario) for j in range(3)])
-        assert found.points[-1].effort == pytest.approx(math.sqrt(np.mean(np.sum(cancelling**2, axis=1))), rel=1e-4)
+        cancelling = np.concatenate([bench.shaking(j)[0] / scales(scenario) for j in range(2)])
+        assert found.points[-1].effort == pytest.approx(math.sqrt(np.mean(np.sum(cancelling**2, axis=1))), rel=2e-3)
 
 
 def others(scenario: dampen.Scenario) -> Iterator[dampen.Scenario]:
@@ -273,3 +273,20 @@ def test_wrong_arguments_are_told_in_one_line() -> None:
         standing(found, dampen.simulate(tiny("plant.tip_mass=0.2")))
     with pytest.raises(dampen.ArgumentError, match=r"^Argument `result` must have finished all 2 trials, but has 1"):
         standing(found, dampen.simulate(tiny("task.trials=1")))
+
+
+def test_its_figure_names_the_runs_below_the_curve_and_says_what_is_not_bounded() -> None:
+    from dampen.report.views.limit import draw_limit
+
+    scenario, (of_w, _) = short("he2017")
+    runs = {"learning": scenario, "no control": scenario.uncontrolled()}
+    figure, text = draw_limit(of_w, [(name, standing(of_w, dampen.simulate(run))) for name, run in runs.items()])
+    figure.draw_without_rendering()
+    axes = figure.axes[0]
+    named = axes.get_legend()
+    assert [entry.get_text().split(":")[0] for entry in named.get_texts()] == ["learning"], "without forces there is no effort"
+    box, (bottom, _) = named.get_window_extent(), axes.get_ylim()
+    assert box.y1 < axes.transData.transform((1.0, of_w.points[-1].rms))[1]
+    assert box.x1 < axes.get_window_extent().x1
+    assert 0 < bottom < of_w.points[-1].rms
+    assert "Peaks are not bounded by it: learning 0.160 m" in text

@@ -6,12 +6,14 @@ import math
 from collections.abc import Callable, Sequence
 from concurrent.futures import ThreadPoolExecutor, as_completed
 from dataclasses import dataclass
+from itertools import pairwise
 
 import numpy as np
 
+from dampen.analysis.limit.best import best_forces
 from dampen.analysis.limit.lifted import Lifted, effort_square, mean_square
 from dampen.analysis.limit.measure import experiment, measure, measures
-from dampen.analysis.limit.riccati import KEPT, gains_size, solve
+from dampen.analysis.limit.riccati import KEPT, gains_size
 from dampen.component import wrong
 from dampen.simulation.bench import Bench
 from dampen.simulation.cores import cores
@@ -19,8 +21,8 @@ from dampen.simulation.scenario import Scenario
 
 Array = np.ndarray
 Progress = Callable[[int, int], None]
-DECADES, PER_DECADE = (1, -7), 2  # of the default weights, about the one at which forces begin to pay
-SETTLED, ROUNDS = 1e-13, 6
+DECADES = (1, -7)  # of the default weights, about the one at which forces begin to pay
+TIGHT, ROUNDS = 1.05, 2  # how far the default weights let `reached` be above `bound`, and how often they are made denser
 EFFORT = "N: root of the mean over all steps of the sum over ports of the squared delivered forces, a torque divided by the span"
 
 
@@ -114,7 +116,8 @@ def limit(
 
     of:       a field (over all snapshots and output points) or a port (its tracking error, at every step); the default is the
               first of what :func:`limits` takes.
-    weights:  r [unit^2/N^2]; the default covers eight decades, two points in each, about the one at which forces begin to pay.
+    weights:  r [unit^2/N^2]; the default covers eight decades about the one at which forces begin to pay, more densely where the
+              limit would not be known to a few percent.
     bench:    a set-up to share with a run of the same plant, task and disturbance.
     progress: called with (weights done, weights in all) after each.
     threads:  weights at a time (default: as many as there are cores, and memory for their gains).
@@ -127,8 +130,8 @@ def limit(
     """
     bench = bench or Bench(scenario)
     lifted = Lifted(scenario, bench, measure(scenario, measures(scenario)[0] if of is None else of, bench))
+    points = _known_points(lifted, progress, threads) if weights is None else _points(lifted, list(weights), progress, threads)
     free = lifted.free
-    chosen = _default_weights(lifted) if weights is None else sorted((_positive(r) for r in weights), reverse=True)
     return Limit(
         scenario=scenario.name,
         experiment=experiment(scenario),
@@ -136,7 +139,7 @@ def limit(
         unit=lifted.measure.unit,
         uncontrolled=math.sqrt(mean_square(free)),
         uncontrolled_peak=float(np.max(np.abs(free))),
-        points=_points(lifted, chosen, progress, threads),
+        points=points,
         effort_unit=EFFORT,
         trials=scenario.task.trials,
         start=scenario.task.start,
@@ -146,9 +149,29 @@ def limit(
     )
 
 
-def _points(lifted: Lifted, weights: Sequence[float], progress: Progress | None, threads: int | None) -> tuple[Point, ...]:
-    """The points of all weights, in their order, some at a time."""
-    pull = lifted.adjoint(lifted.free)
+def _known_points(lifted: Lifted, progress: Progress | None, threads: int | None) -> tuple[Point, ...]:
+    """The points of a weight a decade, and of weights between where the limit is not yet known well."""
+    weights = _default_weights(lifted)
+    points: tuple[Point, ...] = ()
+    for done in range(ROUNDS + 1):
+        points = _points(lifted, weights, _part(progress, done, ROUNDS + 1), threads, points)
+        weights = [math.sqrt(a.weight * b.weight) for a, b in pairwise(points) if _looseness(a, b) > TIGHT]
+    return points
+
+
+def _looseness(a: Point, b: Point) -> float:
+    """Between two points, how far what their forces reach is above what they certify, where their lines meet."""
+    square = (a.dual - b.dual) / (a.weight - b.weight)
+    bound = a.dual - a.weight * square
+    share = (square - a.effort**2) / (b.effort**2 - a.effort**2)
+    return math.sqrt((a.rms**2 + share * (b.rms**2 - a.rms**2)) / bound) if bound > 0 else math.inf
+
+
+def _points(
+    lifted: Lifted, weights: Sequence[float], progress: Progress | None, threads: int | None, known: Sequence[Point] = ()
+) -> tuple[Point, ...]:
+    """The points of all weights, some at a time, and those known already, in the order of falling weights."""
+    weights, pull = [_positive(weight) for weight in weights], lifted.adjoint(lifted.free)
     room = max(1, 2 * KEPT // max(1, gains_size(lifted)))
     pool = ThreadPoolExecutor(min(threads or cores(), room))
     try:
@@ -156,34 +179,21 @@ def _points(lifted: Lifted, weights: Sequence[float], progress: Progress | None,
         for done, _ in enumerate(as_completed(futures), 1):
             if progress:
                 progress(done, len(weights))
-        return tuple(future.result() for future in futures)
+        return tuple(sorted([*known, *(future.result() for future in futures)], key=lambda point: -point.weight))
     finally:
         pool.shutdown(cancel_futures=True)
 
 
 def _point(lifted: Lifted, weight: float, pull: Array) -> Point:
-    """The best forces for one weight: solved for, and again for what round-off has left, as long as that is of use.
-
-    pull: P* free, the gradient without forces. A gradient g is at most |g|^2/weight above the minimum.
-    """
-    forces, error, back = np.zeros_like(pull), lifted.free, pull
-    primal = mean_square(error)
-    for _ in range(ROUNDS):
-        gradient = back + weight * forces
-        if effort_square(gradient) <= SETTLED * weight * primal:
-            break
-        better = forces - solve(lifted, weight, gradient)
-        found = lifted.under(better)
-        reached = mean_square(found) + weight * effort_square(better)
-        if not reached < primal:
-            break
-        forces, error, back, primal = better, found, lifted.adjoint(found), reached
-    below = mean_square(error) + effort_square(back) / weight
+    """The best forces for one weight, and what they make of the measure.   pull: P* free, the gradient without forces."""
+    forces, error, back = best_forces(lifted, weight, pull)
+    square, effort = mean_square(error), effort_square(forces)
+    primal, below = square + weight * effort, square + effort_square(back) / weight
     dual = min(max(0.0, float(np.mean(error * lifted.free))) ** 2 / below if below else 0.0, primal)
     return Point(
         weight=weight,
-        effort=math.sqrt(effort_square(forces)),
-        rms=math.sqrt(mean_square(error)),
+        effort=math.sqrt(effort),
+        rms=math.sqrt(square),
         dual=dual,
         gap=(primal - dual) / primal if primal else 0.0,
         peak=float(np.max(np.abs(error))),
@@ -194,7 +204,7 @@ def _default_weights(lifted: Lifted) -> list[float]:
     """About |P* free|^2/|free|^2, the gain of the ports for what is there to be cancelled; 1 where they can do nothing."""
     gain = effort_square(lifted.adjoint(lifted.free)) / (mean_square(lifted.free) or 1.0)
     highest, lowest = DECADES
-    return [gain * 10.0 ** (highest - i / PER_DECADE) for i in range(PER_DECADE * (highest - lowest) + 1)] if gain else [1.0]
+    return [gain * 10.0**k for k in range(highest, lowest - 1, -1)] if gain else [1.0]
 
 
 def _positive(weight: float) -> float:
