@@ -276,7 +276,7 @@ def test_wrong_arguments_are_told_in_one_line() -> None:
 
 
 def test_its_figure_names_the_runs_below_the_curve_and_says_what_is_not_bounded() -> None:
-    from dampen.report.views.limit import draw_limit
+    from dampen.report.review.limit import draw_limit
 
     scenario, (of_w, _) = short("he2017")
     runs = {"learning": scenario, "no control": scenario.uncontrolled()}

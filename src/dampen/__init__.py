@@ -13,8 +13,14 @@ from dampen.actuators.saturation import Saturation as Saturation
 from dampen.analysis.audit.audit import Audit as Audit
 from dampen.analysis.audit.audit import audit as audit
 from dampen.analysis.audit.finding import Finding as Finding
+from dampen.analysis.bounds import bounds as bounds
 from dampen.analysis.credit import Credit as Credit
 from dampen.analysis.credit import credit as credit
+from dampen.analysis.limit.curve import Limit as Limit
+from dampen.analysis.limit.curve import limit as limit
+from dampen.analysis.limit.curve import limits as limits
+from dampen.analysis.limit.standing import standing as standing
+from dampen.analysis.rates import rates as rates
 from dampen.analysis.sampling_cost import sampling_cost as sampling_cost
 from dampen.component import ArgumentError as ArgumentError
 from dampen.controllers.adaptive_boundary import AdaptiveBoundary as AdaptiveBoundary

@@ -27,6 +27,7 @@ app = typer.Typer(
 app.command(cls=WithOverview, help=run.HELP)(run.run)
 app.command(help=review.AUDIT_HELP)(review.audit)
 app.command(help=review.CREDIT_HELP)(review.credit)
+app.command(help=review.LIMIT_HELP)(review.limit)
 app.command(help=studies.SWEEP_HELP)(studies.sweep)
 app.command(help=studies.ROBUST_HELP)(studies.robust)
 app.command(help=studies.TUNE_HELP)(studies.tune)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
 from typing import TYPE_CHECKING, Annotated, Any
 
@@ -17,6 +17,12 @@ if TYPE_CHECKING:
     from dampen.studies.record import Record
 
 EXIT = "Exit status: 0 when the run completed, whatever was found; 2 for bad input; 3 when it broke off, with what it has saved."
+LIMIT_HELP = (
+    "How far from the best possible? The least RMS of each field (or tracking error) that any forces at the same ports could "
+    "reach, knowing the disturbance in advance, for each RMS of the forces; certified, and where the run lies against it.\n\n"
+    "Examples:\n\n  dampen limit he2017\n\n  dampen limit flexible-arm-point-to-point --of tip_w\n\n"
+    f"The full experiment of he2017 takes about a minute on two cores. {EXIT}"
+)
 AUDIT_HELP = (
     "Run a scenario and audit it: the energy account, how figures move with twice the modes and half the step, the assumptions "
     "of the law's proof as the run had them, every bound, the proof's energy and gain conditions; and what each part of the law "
@@ -35,6 +41,7 @@ def audit(
     set_: SetOption = None,
     folder: OutOption = None,
     with_credit: Annotated[bool, typer.Option("--credit/--no-credit", help="what each part of the law is worth")] = True,
+    with_limit: Annotated[bool, typer.Option("--limit/--no-limit", help="how far from the best possible (takes long)")] = False,
     report: ReportOption = True,
 ) -> None:
     """`dampen audit`."""
@@ -42,13 +49,37 @@ def audit(
     from dampen.report.review.words import sentence
 
     def reviewed(bench: Bench, result: Result) -> Record:
-        return review(bench, result, refine=True, credit=with_credit)
+        return review(bench, result, refine=True, credit=with_credit, of=() if with_limit else None)
 
     done = perform(scenario, set_, folder, report, purpose="audit", review=reviewed)
     if done.record.audit is not None:
         show_table(("", "Criterion", "Measured", "Verdict"), coloured(audit_rows(done.record.audit)))
         out.print(sentence(done.record.audit), markup=False)
     show_credit(done.record)
+    show_limits(done.record)
+    finish(done)
+
+
+def limit(
+    scenario: ScenarioArgument,
+    set_: SetOption = None,
+    of: Annotated[
+        list[str] | None, typer.Option("--of", help="a field, or a port's tracking error (default: what matters)")
+    ] = None,
+    folder: OutOption = None,
+    report: ReportOption = True,
+) -> None:
+    """`dampen limit`."""
+    from dampen.analysis.limit.measure import check_measures
+    from dampen.scenarios.read import read_scenario
+
+    check_measures(read_scenario(scenario, set_ or ()), of or ())
+
+    def reviewed(bench: Bench, result: Result) -> Record:
+        return review(bench, result, refine=None, of=of or ())
+
+    done = perform(scenario, set_, folder, report, purpose="limit", review=reviewed)
+    show_limits(done.record)
     finish(done)
 
 
@@ -67,8 +98,11 @@ def credit(scenario: ScenarioArgument, set_: SetOption = None, folder: OutOption
     finish(done)
 
 
-def review(bench: Bench, result: Result, refine: bool | None, credit: bool = False) -> Record:
-    """The parts of a review that are asked for, as far as they get before Ctrl-C. refine: None: no audit at all."""
+def review(bench: Bench, result: Result, refine: bool | None, credit: bool = False, of: Sequence[str] | None = None) -> Record:
+    """The parts of a review that are asked for, as far as they get before Ctrl-C.
+
+    refine: None: no audit at all.   of: measures of the limit; empty: the usual ones, None: no limit.
+    """
     from dampen.analysis.audit.audit import audit as audited
     from dampen.analysis.credit import credit as credited
     from dampen.controllers.none import NoControl
@@ -82,9 +116,35 @@ def review(bench: Bench, result: Result, refine: bool | None, credit: bool = Fal
         if credit and not isinstance(result.scenario.controller, NoControl):
             with bar("Taking apart") as advance:
                 found["credit"] = credited(result.scenario, progress=advance)
+        if of is not None and result.trials == result.scenario.task.trials:
+            found |= limits_of(bench, result, of)
     except KeyboardInterrupt:
         err.print("The review was interrupted: it has what was finished.", markup=False)
     return record(result.scenario, **found)
+
+
+def limits_of(bench: Bench, result: Result, of: Sequence[str]) -> dict[str, Any]:
+    """The limits, and where the run lies against them."""
+    from dampen.analysis.limit.curve import limit as limited
+    from dampen.analysis.limit.measure import measures
+    from dampen.analysis.limit.standing import standing
+
+    found = []
+    for name in of or measures(result.scenario):
+        with bar(f"Limit of {name}") as advance:
+            found.append(limited(result.scenario, name, bench=bench, progress=advance))
+    return {"limits": tuple(found), "standings": tuple(standing(one, result) for one in found)}
+
+
+def show_limits(record: Record) -> None:
+    """Where the run lies against the limits."""
+    from dampen.report.review.tables import LIMIT_COLUMNS, limit_rows
+    from dampen.report.review.words import limited
+
+    if record.limits:
+        show_table(LIMIT_COLUMNS, limit_rows(record), LIMIT_COLUMNS[1:])
+        for line in limited(record.limits, record.standings):
+            out.print(line, markup=False)
 
 
 def show_credit(record: Record) -> None:

@@ -10,6 +10,8 @@ from typing import Any
 
 from dampen.analysis.audit.audit import Audit
 from dampen.analysis.credit import Credit
+from dampen.analysis.limit.curve import Limit
+from dampen.analysis.limit.standing import Standing
 from dampen.component import ArgumentError
 from dampen.simulation.scenario import Scenario
 from dampen.toml import to_toml
@@ -23,7 +25,8 @@ FILE = "audit.json"
 class Record:
     """What audit.json holds; a part that was not asked for is null. schema: name and version of this layout.
 
-    scenario: as TOML.   version: of dampen.   A number that is not known, or not finite, is null.
+    scenario: as TOML.   version: of dampen.   standings: of the run, one for each of the limits.   A number that is not known, or
+    not finite, is null.
     """
 
     schema: str
@@ -32,6 +35,8 @@ class Record:
     scenario: str
     audit: Audit | None = None
     credit: Credit | None = None
+    limits: tuple[Limit, ...] = ()
+    standings: tuple[Standing, ...] = ()
 
 
 def record(scenario: Scenario, **parts: Any) -> Record:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from hashlib import sha256
 
@@ -43,15 +44,24 @@ def measures(scenario: Scenario) -> tuple[str, ...]:
 def measure(scenario: Scenario, of: str, bench: Bench) -> Measure:
     """The measure named `of`. Raises ArgumentError for what is neither a field nor a port of the plant."""
     fields = dict(scenario.plant.fields)
+    check_measures(scenario, [of])
     if of in fields:
         return Measure(of, fields[of], scenario.output.every, bench.shapes[of], None)
-    if of not in scenario.ports:
-        known = [*fields, *scenario.ports]
-        raise ArgumentError(f"Argument `of` must be a field or a port of this plant, but is {shown(of)}{suggestion(of, known)}")
     p, trials = scenario.ports.index(of), range(scenario.task.trials)
     follows = of in scenario.task.reference
     reference = np.stack([scenario.reference(j)[:, p, None] for j in trials]) if follows else None
     return Measure(of, scenario.plant.ports[p].motion_unit, 1, bench.modes.b[p : p + 1], reference)
+
+
+def check_measures(scenario: Scenario, names: Sequence[str]) -> None:
+    """Raise ArgumentError for what is neither a field nor a port of the plant, and where no port has an actuator."""
+    known = [*(name for name, _ in scenario.plant.fields), *scenario.ports]
+    for of in names:
+        if of not in known:
+            raise ArgumentError(
+                f"Argument `of` must be a field or a port of this plant, but is {shown(of)}{suggestion(of, known)}"
+            )
+    usable(scenario)
 
 
 def measured(result: Result, of: str) -> tuple[float, float]:

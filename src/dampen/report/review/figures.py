@@ -10,6 +10,7 @@ from pathlib import Path
 from dampen.analysis.audit.sticking import sticking
 from dampen.report.figures import Draw, Drawn, save_all
 from dampen.report.review.credit import draw_credit
+from dampen.report.review.limit import draw_limit
 from dampen.report.review.sticking import draw_sticking
 from dampen.simulation.bench import Bench
 from dampen.simulation.result import Result
@@ -39,3 +40,8 @@ def sketched(record: Record, result: Result, bench: Bench) -> Iterator[tuple[Ske
             yield Sketch("sticking", "Energy, and when the ports stick"), partial(draw_sticking, result, found)
     if record.credit is not None:
         yield Sketch("credit", "What each part is worth"), partial(draw_credit, record.credit)
+    for limit, at in zip(record.limits, record.standings, strict=True):
+        yield (
+            Sketch(f"limit_{limit.of}", f"The limit of {limit.of}"),
+            partial(draw_limit, limit, [(result.scenario.controller.kind or "this law", at)]),
+        )

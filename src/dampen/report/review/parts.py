@@ -9,7 +9,7 @@ from typing import Any
 from dampen.analysis.audit.finding import Finding
 from dampen.analysis.rates import Rates
 from dampen.report.review import words
-from dampen.report.review.tables import audit_tables, credit_columns, credit_rows
+from dampen.report.review.tables import LIMIT_COLUMNS, audit_tables, credit_columns, credit_rows, limit_rows
 from dampen.report.style import number
 from dampen.studies.record import Record
 
@@ -72,6 +72,12 @@ def tables(record: Record) -> list[Table]:
         )
         refused = [f"{v.name}: {v.meaning}" for v in record.credit.variants if v.status == "refused"]
         found.append(Table("Credit", about, credit_columns(record.credit), credit_rows(record.credit), refused))
+    if record.limits:
+        about = (
+            "The least RMS, over structure and run, that any forces at the same ports could reach, knowing the disturbance in "
+            "advance: for the run's own effort (RMS of all delivered forces, a torque divided by the span), and for any."
+        )
+        found.append(Table("The limit", about, LIMIT_COLUMNS, limit_rows(record), words.limited(record.limits, record.standings)))
     return found
 
 

@@ -9,8 +9,10 @@ import numpy as np
 from dampen.analysis.audit.audit import Audit
 from dampen.analysis.audit.finding import Finding
 from dampen.analysis.credit import Credit, Variant
+from dampen.analysis.limit.curve import Limit
 from dampen.report.review.words import HEADINGS
-from dampen.report.style import percent, quantity
+from dampen.report.style import number, percent, quantity
+from dampen.studies.record import Record
 
 Rows = Sequence[Sequence[str]]
 
@@ -60,3 +62,21 @@ def credit_row(credit: Credit, variant: Variant) -> tuple[str, ...]:
         *(quantity(one.effort, one.effort_unit) for one in variant.ports),
         quantity(variant.energy, "J"),
     )
+
+
+LIMIT_COLUMNS = ("RMS of", "no control", "the run", "its effort", "least, at that effort", "the run / least", "least, any effort")
+
+
+def limit_rows(record: Record) -> list[tuple[str, ...]]:
+    """Where a run lies against each limit."""
+    rows = []
+    for limit, at in zip(record.limits, record.standings, strict=True):
+        ratio = "" if at.ratio is None else number(at.ratio)
+        values = [quantity(value, limit.unit) for value in (limit.uncontrolled, at.rms, at.bound, lowest(limit))]
+        rows.append((limit.of, *values[:2], quantity(at.effort, "N"), values[2], ratio, values[3]))
+    return rows
+
+
+def lowest(limit: Limit) -> float:
+    """The least root mean square of the curve's points: what the forces of the smallest weight reach."""
+    return min(point.rms for point in limit.points)

@@ -7,6 +7,8 @@ from collections.abc import Sequence
 from dampen.analysis.audit.audit import Audit
 from dampen.analysis.audit.finding import Finding
 from dampen.analysis.credit import Credit, Variant
+from dampen.analysis.limit.curve import Limit
+from dampen.analysis.limit.standing import Standing
 from dampen.report.study.views.sensitivity import listed
 from dampen.report.style import TIMES, number, percent, quantity
 
@@ -167,6 +169,29 @@ def _left_out(credit: Credit) -> list[Variant]:
 
 def _part(variant: Variant) -> str:
     return "learning" if variant.name == "nothing learned" else variant.name.removeprefix("without ").removeprefix("all ")
+
+
+def limited(limits: Sequence[Limit], standings: Sequence[Standing]) -> list[str]:
+    """Where a run lies against each limit, in words."""
+    return [_against(limit, at) for limit, at in zip(limits, standings, strict=True)]
+
+
+def _against(limit: Limit, at: Standing) -> str:
+    own, least = quantity(at.rms, at.unit), quantity(at.bound, at.unit)
+    effort, reached = quantity(at.effort, "N"), quantity(at.reached, at.unit)
+    text = (
+        f"{at.of}: the run's RMS is {own} at an effort of {effort}. No forces of that effort at the same ports get below {least}"
+    )
+    text += f" ({number(at.ratio, 3)} times less), " if at.ratio else ", "
+    text += f"whatever they know of the disturbance; some get to {reached}. "
+    if at.below:
+        text += "It lies BELOW the limit, which cannot be: do not trust this run. "
+    nearest = min(limit.points, key=lambda point: abs(point.effort - at.effort))
+    gap = max(point.gap for point in limit.points)
+    text += (
+        f"Peaks, which this does not bound: {quantity(at.peak, at.unit)} in the run, {quantity(nearest.peak, at.unit)} under the "
+    )
+    return text + f"best forces of about the same effort. Duality gap at most {gap:.0e}."
 
 
 def _told(variant: Variant, ratio: float) -> str:
