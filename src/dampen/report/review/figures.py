@@ -40,8 +40,6 @@ def sketched(record: Record, result: Result, bench: Bench) -> Iterator[tuple[Ske
             yield Sketch("sticking", "Energy, and when the ports stick"), partial(draw_sticking, result, found)
     if record.credit is not None:
         yield Sketch("credit", "What each part is worth"), partial(draw_credit, record.credit)
+    name = result.scenario.controller.kind or type(result.scenario.controller).__name__
     for limit, at in zip(record.limits, record.standings, strict=True):
-        yield (
-            Sketch(f"limit_{limit.of}", f"The limit of {limit.of}"),
-            partial(draw_limit, limit, [(result.scenario.controller.kind or "this law", at)]),
-        )
+        yield Sketch(f"limit_{limit.of}", f"The limit of {limit.of}"), partial(draw_limit, limit, [(name, at)])

@@ -177,21 +177,17 @@ def limited(limits: Sequence[Limit], standings: Sequence[Standing]) -> list[str]
 
 
 def _against(limit: Limit, at: Standing) -> str:
-    own, least = quantity(at.rms, at.unit), quantity(at.bound, at.unit)
-    effort, reached = quantity(at.effort, "N"), quantity(at.reached, at.unit)
-    text = (
-        f"{at.of}: the run's RMS is {own} at an effort of {effort}. No forces of that effort at the same ports get below {least}"
-    )
-    text += f" ({number(at.ratio, 3)} times less), " if at.ratio else ", "
-    text += f"whatever they know of the disturbance; some get to {reached}. "
-    if at.below:
-        text += "It lies BELOW the limit, which cannot be: do not trust this run. "
+    own, least, reached = (quantity(value, at.unit) for value in (at.rms, at.bound, at.reached))
+    text = f"{at.of}: the run's RMS is {own} at an effort of {quantity(at.effort, 'N')}. "
+    text += "It lies BELOW the limit, which cannot be: do not trust this run. " if at.below else ""
+    text += f"No forces of that effort at the same ports get below {least}"
+    text += f" ({number(at.ratio, 3)} times less)" if at.ratio else ""
+    text += f", whatever they know of the disturbance; some get to {reached}. "
     nearest = min(limit.points, key=lambda point: abs(point.effort - at.effort))
-    gap = max(point.gap for point in limit.points)
     text += (
         f"Peaks, which this does not bound: {quantity(at.peak, at.unit)} in the run, {quantity(nearest.peak, at.unit)} under the "
     )
-    return text + f"best forces of about the same effort. Duality gap at most {gap:.0e}."
+    return text + f"best forces of about the same effort. Duality gap at most {max(point.gap for point in limit.points):.0e}."
 
 
 def _told(variant: Variant, ratio: float) -> str:
