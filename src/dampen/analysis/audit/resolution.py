@@ -52,7 +52,13 @@ def moved(name: str, unit: str, value: float, modes: float | None, step: float |
     holds = None if not known else all(abs(by) <= MOVES for by in known.values())
     told = ", ".join(f"{how} {by:+.1%}" for how, by in known.items())
     worst = max(known, key=lambda how: abs(known[how])) if known else ""
-    meaning = "Settled." if holds else "Not known." if holds is None else f"Not settled by {worst}: an order of magnitude."
+    meaning = (
+        "Settled."
+        if holds
+        else "Not known."
+        if holds is None
+        else f"Not settled by {worst}: good to {abs(known[worst]):.0%} at best."
+    )
     return Finding.of(
         "resolution",
         f"resolution.{name}",

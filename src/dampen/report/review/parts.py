@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from typing import Any
 
 from dampen.analysis.audit.finding import Finding
@@ -24,24 +24,25 @@ ACTING = {
 
 @dataclass(frozen=True)
 class Table:
-    """A table of the page, with what it shows above it and notes below it."""
+    """A table of the page: what it shows above it, notes and figures below it."""
 
     heading: str
     about: str
     columns: Sequence[str]
     rows: Sequence[Sequence[str]]
     notes: Sequence[str] = ()
+    figures: Sequence[Any] = ()
 
 
 @dataclass(frozen=True)
 class Parts:
-    """A review for a page: the words, the audit's tables, and the tables of the other parts."""
+    """A review for a page: the words, the audit's tables with its figures, and the tables of the other parts."""
 
     sentence: str
     paragraphs: Sequence[tuple[str, Sequence[str]]]
     audit: Sequence[tuple[str, Sequence[Finding]]]
     tables: Sequence[Table]
-    figures: Sequence[Any] = field(default=())
+    figures: Sequence[Any] = ()
 
 
 def parts(record: Record, figures: Sequence[Any] = ()) -> Parts:
@@ -55,13 +56,18 @@ def parts(record: Record, figures: Sequence[Any] = ()) -> Parts:
             ("Why", words.reasons(audit, record.credit)),
         ],
         audit=() if audit is None else audit_tables(audit),
-        tables=list(tables(record)),
-        figures=figures,
+        tables=list(tables(record, figures)),
+        figures=named(figures, "sticking"),
     )
 
 
-def tables(record: Record) -> list[Table]:
-    """The tables of the parts beside the audit."""
+def named(figures: Sequence[Any], name: str) -> list[Any]:
+    """The figures whose names begin so."""
+    return [figure for figure in figures if figure["name"].startswith(name)]
+
+
+def tables(record: Record, figures: Sequence[Any] = ()) -> list[Table]:
+    """The tables of the parts beside the audit, each with its figures."""
     found = []
     if record.audit is not None and isinstance(record.audit.rates, Rates):
         found.append(rates_table(record.audit.rates))
@@ -71,13 +77,16 @@ def tables(record: Record) -> list[Table]:
             "delivered force over the run."
         )
         refused = [f"{v.name}: {v.meaning}" for v in record.credit.variants if v.status == "refused"]
-        found.append(Table("Credit", about, credit_columns(record.credit), credit_rows(record.credit), refused))
+        found.append(
+            Table("Credit", about, credit_columns(record.credit), credit_rows(record.credit), refused, named(figures, "credit"))
+        )
     if record.limits:
         about = (
             "The least RMS, over structure and run, that any forces at the same ports could reach, knowing the disturbance in "
             "advance: for the run's own effort (RMS of all delivered forces, a torque divided by the span), and for any."
         )
-        found.append(Table("The limit", about, LIMIT_COLUMNS, limit_rows(record), words.limited(record.limits, record.standings)))
+        notes = words.limited(record.limits, record.standings)
+        found.append(Table("The limit", about, LIMIT_COLUMNS, limit_rows(record), notes, named(figures, "limit_")))
     return found
 
 

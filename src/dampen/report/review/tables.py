@@ -31,9 +31,10 @@ def audit_rows(audit: Audit) -> list[tuple[str, str, str, str]]:
         if held == 1:
             odd = [f for f in findings if f.verdict != "n/a"]
         elif held:
-            all_of_them = held == len(findings)
-            told = f"all {held} findings hold" if all_of_them else f"{held} of {len(findings)} findings hold; not these:"
-            rows.append((heading, told, "", "PASS" if all_of_them else ""))
+            judged = sum(f.verdict in ("PASS", "FAIL") for f in findings)
+            told = f"all {held} findings hold" if held == judged else f"{held} of {judged} findings hold; not these:"
+            told += f"; {len(findings) - judged} cannot be judged" if held == judged < len(findings) else ""
+            rows.append((heading, told, "", "PASS" if held == judged else ""))
         rows += [(heading, f.criterion, f.measured, f.verdict) for f in odd if f.verdict != "n/a"]
     return rows
 

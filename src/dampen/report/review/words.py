@@ -62,7 +62,8 @@ def _held(section: str, held: Sequence[Finding], findings: Sequence[Finding]) ->
     if section == "gain conditions":
         return f"{listed(list(dict.fromkeys(f.id.split('.')[1] for f in held)))} are large enough on this run"
     if section == "rates":
-        return "; ".join(f.measured for f in held)
+        told = {"rates.slowest": "every motion of the loop decays", "rates.spillover": "no mode that the law left out grows"}
+        return "; ".join(f"{told[f.id]} ({f.measured})" for f in held)
     if section == "bounds":
         return f"kept ({held[0].measured})"
     if section == "assumptions":
@@ -96,7 +97,7 @@ def failing(audit: Audit) -> list[str]:
     loose = [f for f in audit.failed if f.section == "resolution"]
     if loose:
         told = [f"{f.id.removeprefix('resolution.')} ({f.measured.partition('; ')[2]})" for f in loose]
-        lines.append(f"Not settled by modes and step: {listed(told)}. Read these as orders of magnitude.")
+        lines.append(f"Not settled by modes and step: {listed(told)}. They are good to no more than that.")
     return lines
 
 
@@ -181,7 +182,7 @@ def _against(limit: Limit, at: Standing) -> str:
     text = f"{at.of}: the run's RMS is {own} at an effort of {quantity(at.effort, 'N')}. "
     text += "It lies BELOW the limit, which cannot be: do not trust this run. " if at.below else ""
     text += f"No forces of that effort at the same ports get below {least}"
-    text += f" ({number(at.ratio, 3)} times less)" if at.ratio else ""
+    text += f", a factor of {number(at.ratio, 3)}" if at.ratio else ""
     text += f", whatever they know of the disturbance; some get to {reached}. "
     nearest = min(limit.points, key=lambda point: abs(point.effort - at.effort))
     text += (
