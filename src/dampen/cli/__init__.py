@@ -8,7 +8,7 @@ from typing import Annotated
 
 import typer
 
-from dampen.cli import run, studies
+from dampen.cli import compare, run, studies
 from dampen.cli.terminal import BROKE_OFF, COMPLETED, ScenarioArgument, WithListing, WithOverview, complain, out
 from dampen.component import ArgumentError
 
@@ -21,9 +21,11 @@ app = typer.Typer(
     help="Design, simulate, check and tune boundary control and iterative learning control of vibrating structures.\n\n"
     "Begin with `dampen run he2017`: the experiment of He et al. 2017, with and without control, its figures and a verdict on "
     "each of its claims. Then `dampen show he2017 > mine.toml`, change it, and `dampen run mine.toml`.\n\n"
-    "One run proves little: `dampen sweep`, `robust` and `tune` make thousands.",
+    "One run proves little: `dampen compare` holds controllers against each other, and `sweep`, `robust` and `tune` make "
+    "thousands of runs.",
 )
 app.command(cls=WithOverview, help=run.HELP)(run.run)
+app.command(help=compare.HELP)(compare.compare)
 app.command(help=studies.SWEEP_HELP)(studies.sweep)
 app.command(help=studies.ROBUST_HELP)(studies.robust)
 app.command(help=studies.TUNE_HELP)(studies.tune)

@@ -125,6 +125,14 @@ class Controller(Component):
         """The ports that its parameters name: "stiffness.tip_w" -> "tip_w", for every table that goes by port."""
         return {}
 
+    def search(self, setting: Setting) -> Mapping[str, str]:
+        """Where a tuner is to look for gains: by path below `controller`, a range "LOW:HIGH" or "LOW:HIGH:log".
+
+        {"damping.tip_w": "0.01:100:log"} for a gain in a table by port. Ranges that have units should follow from the
+        structure; see `dampen.controllers.scales`. Ports without an actuator have no gains. {}: nothing to tune.
+        """
+        return {}
+
     def notes(self, setting: Setting) -> list[str]:
         """What the user should know before the run, one line each."""
         return []

@@ -12,6 +12,7 @@ from typing_extensions import Doc
 
 from dampen.component import wrong
 from dampen.controllers.base import Array, Controller, Memory, PortLaw, Setting, Trial, named
+from dampen.controllers.scales import feedback, scales, span
 
 TOLERANCE, ITERATIONS = 1e-13, 5000
 
@@ -48,6 +49,17 @@ class NormOptimalILC(Controller):
 
     def ports_named(self) -> Mapping[str, str]:
         return named(error_weight=self.error_weight, damping=self.damping, stiffness=self.stiffness)
+
+    def search(self, setting: Setting) -> Mapping[str, str]:
+        """The weight of a change, in units of what a unit of command moves at rest; weights of the errors of all ports but the
+        first, which has 1; and the feedback of every port with an actuator. Every port's error teaches every command."""
+        acting = scales(setting)
+        if not acting:
+            return {}
+        soft = max(1 / s.stiffness for s in acting)
+        found = {"change_weight": span(soft**2, 1e-6, 10)}
+        found |= {f"error_weight.{port.name}": "0.01:100:log" for port in setting.ports[1:]}
+        return {**found, **feedback(acting)}
 
     def begin(self, setting: Setting) -> Memory:
         return {"learned": np.zeros((setting.steps, len(setting.ports)))}

@@ -1,0 +1,138 @@
+"""What a comparison says, in sentences: who is best, whom the experiment's own law loses to, what the numbers cannot carry."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import numpy as np
+
+from dampen.analysis.merits import merit, merit_unit
+from dampen.simulation.scenario import Scenario
+from dampen.studies.compare.comparison import Contender
+
+SENSITIVE = 2.0  # a factor between two numerics from which on a reader is told
+
+
+def verdict(scenario: Scenario, contenders: Sequence[Contender], objective: str) -> tuple[str, ...]:
+    """Sentences: the best in the objective, the own law against the others, who lost the constraint, whose figures depend on
+    the numerics.
+
+    A contender is better than another one only if it is so in every pair of their figures, at the experiment's numerics and at
+    finer ones; else the two are not told apart. Who did not hold the constraint is not ranked.
+    """
+    held = [one for one in contenders if holds(one)]
+    sentences = [best(scenario, held, objective)] if held else ["No contender holds the constraint."]
+    if len(contenders) > 1:
+        sentences += own_law(scenario, contenders, held, objective)
+    lost = [one.label for one in contenders if not holds(one)]
+    if lost and held:
+        sentences.append(f"{listed(lost)} {'does' if len(lost) == 1 else 'do'} not hold the constraint, and {are(lost)} not ranked.")
+    sentences += [sensitive(scenario, one, objective) for one in held if is_sensitive(one, objective)]
+    return tuple(sentences)
+
+
+def holds(one: Contender) -> bool:
+    """Whether a contender's run can be ranked: it held at both numerics."""
+    finer_too = one.refined is None or (one.refined.status == "complete" and one.refined.merits["unsettled"] == 0)
+    return one.held and finer_too
+
+
+def beats(one: Contender, other: Contender, objective: str) -> bool:
+    """Whether one is better than the other by more than the numerics carry."""
+    (low, high), (least, most) = one.span(objective), other.span(objective)
+    return low > most if merit(objective).better == "high" else high < least
+
+
+def best(scenario: Scenario, held: Sequence[Contender], objective: str) -> str:
+    """The best, and who cannot be told apart from it."""
+    sign = -1 if merit(objective).better == "high" else 1
+    first = min(held, key=lambda one: sign * one.merits[objective])
+    near = [one for one in held if one is not first and not beats(first, one, objective)]
+    text = f"Best in {words(objective)}: {first.label}, {both(scenario, first, objective)}"
+    if near:
+        text += f"; not told apart from it by these numerics: {', '.join(one.label for one in near)}"
+    return text + "."
+
+
+def own_law(scenario: Scenario, contenders: Sequence[Contender], held: Sequence[Contender], objective: str) -> list[str]:
+    """Whom the experiment's own law loses to, by how much, and whom it beats."""
+    own, others = contenders[0], [one for one in held if one is not contenders[0]]
+    if not holds(own):
+        return [f"{own.label} does not hold the constraint, which {listed([o.label for o in others])} hold{'s' * (len(others) == 1)}."
+                ] if others else []  # fmt: skip
+    winners = sorted((o for o in others if beats(o, own, objective)), key=lambda o: o.merits[objective])
+    beaten = [o.label for o in others if beats(own, o, objective)]
+    even = [o.label for o in others if o not in winners and o.label not in beaten]
+    mine = value(scenario, objective, own.merits[objective])
+    sentences = []
+    for other in winners:
+        theirs = value(scenario, objective, other.merits[objective])
+        text = f"{own.label} loses to {other.label} in {words(objective)} ({mine} against {theirs}"
+        sentences.append(f"{text}{factor(own, other, objective)}).")
+    if not winners:
+        sentences.append(f"{own.label} loses to none of {len(others)} that hold the constraint.")
+    if beaten:
+        sentences.append(f"{own.label} beats {listed(beaten)}.")
+    if even:
+        sentences.append(f"{own.label} is not told apart from {listed(even)}.")
+    return sentences
+
+
+def factor(own: Contender, other: Contender, objective: str) -> str:
+    """By what factor at least, over both numerics."""
+    (low, _), (_, most) = own.span(objective), other.span(objective)
+    if merit(objective).better == "high" or not most > 0:
+        return ""
+    return f"; at least {low / most:.2g} times as much at both numerics"
+
+
+def is_sensitive(one: Contender, objective: str) -> bool:
+    low, high = one.span(objective)
+    return bool(low > 0 and high > SENSITIVE * low)
+
+
+def sensitive(scenario: Scenario, one: Contender, objective: str) -> str:
+    assert one.refined is not None
+    fine = value(scenario, objective, one.refined.merits[objective])
+    what = "its gains are tuned to their numerics" if one.tuned else "its figures depend on the numerics"
+    coarse = value(scenario, objective, one.merits[objective])
+    return f"{one.label}: {what}, its {words(objective)} is {coarse} here, but {fine} at {numerics(one)}."
+
+
+def both(scenario: Scenario, one: Contender, objective: str) -> str:
+    """A contender's figure at both numerics."""
+    text = value(scenario, objective, one.merits[objective])
+    if one.refined is None:
+        return text
+    return f"{text} ({value(scenario, objective, one.refined.merits[objective])} at {numerics(one)})"
+
+
+def numerics(one: Contender) -> str:
+    assert one.refined is not None
+    return f"{one.refined.modes} modes and {1e3 * one.refined.step:g} ms"
+
+
+def value(scenario: Scenario, name: str, number: float) -> str:
+    """A figure with its unit; of all ports together a share of the constraint, in percent."""
+    kind, _, port = name.partition(".")
+    if not np.isfinite(number):
+        return "diverged"
+    if kind in ("margin", "stuck") or (kind in ("peak", "residual") and not port and scenario.task.constraint):
+        return f"{100 * number:.3g} %" + (" of the constraint" if kind in ("peak", "residual") else "")
+    unit = merit_unit(name, scenario)
+    return f"{number:.3g} {unit if ', ' not in unit else ''}".strip()
+
+
+def words(name: str) -> str:
+    """A figure of merit in a sentence."""
+    kind, _, port = name.partition(".")
+    return f"{kind} at {port}" if port else kind
+
+
+def listed(names: Sequence[str]) -> str:
+    """Names in a sentence."""
+    return names[0] if len(names) == 1 else f"{', '.join(names[:-1])} and {names[-1]}"
+
+
+def are(names: Sequence[str]) -> str:
+    return "is" if len(names) == 1 else "are"
