@@ -65,13 +65,13 @@ def compare(
 
 def show(found: Comparison, folder: Path, report: bool) -> None:
     """The table, the verdict, and where everything is."""
-    from dampen.report.compare.tables import terminal_table
+    from dampen.report.compare.tables import about, terminal_tables
 
     if not found.contenders:
         return
-    headings, rows, about = terminal_table(found)
-    show_table(headings, rows, headings[2:])
-    out.print(about, style="dim", markup=False)
+    for headings, rows in terminal_tables(found):
+        show_table(headings, rows, [head for head in headings if head not in ("Contender", "Gains")], ("Contender",))
+    out.print(about(found), style="dim", markup=False)
     for sentence in found.verdict:
         out.print(sentence, markup=False)
     if report:

@@ -30,6 +30,7 @@ class Setting:
     is no actuator.   sampled: whether the law acts through samples, whose commands arrive `delay` [s] later.
     model: the structure's modes.   response: (steps, ports, ports) the tracking error at the ends of the intervals, by port,
     after a unit of feedforward in the first interval, by port, with the law's own feedback at work; both computed when asked.
+    kept: what a controller has worked out from all this and wants to find again in the run's next trial.
     """
 
     ports: tuple[Port, ...]
@@ -45,6 +46,7 @@ class Setting:
     delay: float = 0.0
     model: Callable[[], ModalModel] = field(default=lambda: _unknown())
     response: Callable[[], Array] = field(default=lambda: _unknown())
+    kept: dict[str, Any] = field(default_factory=dict, compare=False, repr=False)
 
     @property
     def times(self) -> Array:

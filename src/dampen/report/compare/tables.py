@@ -7,7 +7,8 @@ from collections.abc import Callable
 from dataclasses import dataclass
 
 from dampen.report.study.names import math_unit, port_words
-from dampen.report.style import DASH, MINUS, percent
+from dampen.report.study.tables import Grid
+from dampen.report.style import DASH, MINUS
 from dampen.studies.compare.comparison import Comparison, Contender
 
 Cell = Callable[[Contender], str]
@@ -15,11 +16,12 @@ Cell = Callable[[Contender], str]
 
 @dataclass(frozen=True)
 class Column:
-    """One column: its heading, its unit, and what it says of a contender."""
+    """One column: its heading, its unit, what it says of a contender, and whether it is about what that costs."""
 
     head: str
     unit: str
     cell: Cell
+    costs: bool = False
 
     @property
     def title(self) -> str:
@@ -38,16 +40,16 @@ def columns_of(found: Comparison) -> list[Column]:
     columns.append(Column("settles in trial", "", lambda c: DASH if c.settling is None else str(c.settling)))
     if any("margin" in c.merits for c in found.contenders):
         columns.append(Column("margin", "", lambda c: share(c.merits["margin"])))
-    columns += [of_port("effort", "effort", port, found.ports[port][1]) for port in pushed]
-    columns.append(Column("stuck", "", lambda c: share(c.merits["stuck"])))
-    columns.append(Column("variation", unit, lambda c: short(c.merits["chatter"])))
-    columns.append(Column("energy", "J", lambda c: short(c.merits["energy"])))
+    columns += [of_port("effort", "effort", port, found.ports[port][1], costs=True) for port in pushed]
+    columns.append(Column("stuck", "", lambda c: share(c.merits["stuck"]), costs=True))
+    columns.append(Column("variation", unit, lambda c: short(c.merits["chatter"]), costs=True))
+    columns.append(Column("energy", "J", lambda c: short(c.merits["energy"]), costs=True))
     return columns
 
 
-def of_port(name: str, words: str, port: str, unit: str) -> Column:
+def of_port(name: str, words: str, port: str, unit: str, costs: bool = False) -> Column:
     """A merit at one port."""
-    return Column(f"{words} {port_words(port)}", math_unit(unit), lambda c: short(c.merits[f"{name}.{port}"]))
+    return Column(f"{words} {port_words(port)}", math_unit(unit), lambda c: short(c.merits[f"{name}.{port}"]), costs)
 
 
 def table(found: Comparison) -> tuple[tuple[str, ...], list[tuple[str, ...]]]:
@@ -57,10 +59,17 @@ def table(found: Comparison) -> tuple[tuple[str, ...], list[tuple[str, ...]]]:
     return heads, [(c.label, how(c), *(column.cell(c) for column in columns)) for c in found.contenders]
 
 
-def terminal_table(found: Comparison) -> tuple[list[str], list[list[str]], str]:
-    """Headings, rows, and what they mean."""
-    heads, rows = table(found)
-    return list(heads), [list(row) for row in rows], about(found)
+def terminal_tables(found: Comparison) -> list[tuple[list[str], list[list[str]]]]:
+    """Headings and rows of two tables that fit a terminal: errors, and what they cost."""
+    columns = columns_of(found)
+    errors = [column for column in columns if column.costs is False]
+    halves = [errors, [column for column in columns if column.costs]]
+    tables = []
+    for half, own in zip(halves, (("Contender", "Gains"), ("Contender",)), strict=True):
+        words = [[c.label, how(c)][: len(own)] for c in found.contenders]
+        rows = [[*text, *(column.cell(c) for column in half)] for text, c in zip(words, found.contenders, strict=True)]
+        tables.append(([*own, *(column.title for column in half)], rows))
+    return tables
 
 
 def how(c: Contender) -> str:
@@ -102,7 +111,8 @@ def objective_value(found: Comparison, merits: dict[str, float]) -> str:
 
 
 def share(value: float) -> str:
-    return DASH if not math.isfinite(value) else percent(value)
+    """A share in percent, three digits."""
+    return DASH if not math.isfinite(value) else f"{float(f'{100 * value:.3g}'):g} %".replace("-", MINUS)
 
 
 def short(value: float) -> str:
@@ -115,3 +125,17 @@ def short(value: float) -> str:
         return f"{float(f'{value:.3g}'):g}".replace("-", MINUS)
     mantissa, power = f"{value:.1e}".split("e")
     return f"{mantissa}e{int(power)}".replace("-", MINUS)
+
+
+def found_table(found: Comparison) -> Grid:
+    """What each search began from and came to."""
+    rows = []
+    for c in found.contenders:
+        start = DASH if c.start is None else objective_value(found, {**c.merits, found.objective: c.start})
+        gains = ", ".join(f"{name} {value:.4g}" for name, value in c.gains.items()) or DASH
+        kept = f"{c.kept} of {c.candidates}" if c.tuned else DASH
+        rows.append((c.label, gains, "; ".join(c.notes) or DASH, start, objective_value(found, c.merits), kept, f"{c.seconds:.0f}"))
+    text = f"The {found.objective} with the gains that the search began from (those of the scenario, or the middle of the ranges "
+    text += "that a kind of controller says), and with those it came to; how many candidates kept the constraint."
+    heads = ("Contender", "Gains that were searched", "Notes", "start", "found", "kept", "time [s]")
+    return Grid("What was searched", text, heads, rows, 3)

@@ -141,6 +141,7 @@ def run(scenario: Scenario, bench: Bench, folder: Path | None) -> Result:
     else:
         folder.mkdir(parents=True, exist_ok=True)
         (folder / "scenario.toml").write_text(to_toml(scenario), encoding="utf-8")
+        (folder / "result.nc").unlink(missing_ok=True)  # not written over: an earlier result of it may be open
         result = simulate(scenario, store=FileStore(folder / "result.nc"), bench=own)
     if result.status == "interrupted":
         raise Interrupted

@@ -10,6 +10,7 @@ from dampen.analysis.merits import merit, merit_unit
 from dampen.simulation.scenario import Scenario
 from dampen.studies.compare.comparison import Contender
 
+EFFORT = "effort"
 SENSITIVE = 2.0  # a factor between two numerics from which on a reader is told
 
 
@@ -24,6 +25,9 @@ def verdict(scenario: Scenario, contenders: Sequence[Contender], objective: str)
     sentences = [best(scenario, held, objective)] if held else ["No contender holds the constraint."]
     if len(contenders) > 1:
         sentences += own_law(scenario, contenders, held, objective)
+    if len(held) > 1 and objective != EFFORT:
+        names = [one.label for one in front(held, objective)]
+        sentences.append(f"Of those that hold it nobody is better in both {words(objective)} and effort than {listed(names)}.")
     lost = [one.label for one in contenders if not holds(one)]
     if lost and held:
         sentences.append(f"{listed(lost)} {'does' if len(lost) == 1 else 'do'} not hold the constraint, and {are(lost)} not ranked.")
@@ -43,12 +47,24 @@ def beats(one: Contender, other: Contender, objective: str) -> bool:
     return low > most if merit(objective).better == "high" else high < least
 
 
+def front(held: Sequence[Contender], objective: str) -> list[Contender]:
+    """Who is not bettered by anybody in one of objective and effort, and equalled in the other; by effort."""
+    sign = -1 if merit(objective).better == "high" else 1
+    order = sorted(held, key=lambda one: (one.merits[EFFORT], sign * one.merits[objective]))
+    kept: list[Contender] = []
+    for one in order:
+        if not kept or sign * one.merits[objective] < sign * kept[-1].merits[objective]:
+            kept.append(one)
+    return kept
+
+
 def best(scenario: Scenario, held: Sequence[Contender], objective: str) -> str:
     """The best, and who cannot be told apart from it."""
     sign = -1 if merit(objective).better == "high" else 1
     first = min(held, key=lambda one: sign * one.merits[objective])
     near = [one for one in held if one is not first and not beats(first, one, objective)]
-    text = f"Best in {words(objective)}: {first.label}, {both(scenario, first, objective)}"
+    of = " as a share of the constraint" if value(scenario, objective, 1.0) == "100 %" and objective in ("peak", "residual") else ""
+    text = f"Best in {words(objective)}{of}: {first.label}, {both(scenario, first, objective)}"
     if near:
         text += f"; not told apart from it by these numerics: {', '.join(one.label for one in near)}"
     return text + "."
@@ -113,12 +129,12 @@ def numerics(one: Contender) -> str:
 
 
 def value(scenario: Scenario, name: str, number: float) -> str:
-    """A figure with its unit; of all ports together a share of the constraint, in percent."""
+    """A figure with its unit; shares in percent."""
     kind, _, port = name.partition(".")
     if not np.isfinite(number):
         return "diverged"
     if kind in ("margin", "stuck") or (kind in ("peak", "residual") and not port and scenario.task.constraint):
-        return f"{100 * number:.3g} %" + (" of the constraint" if kind in ("peak", "residual") else "")
+        return f"{100 * number:.3g} %"
     unit = merit_unit(name, scenario)
     return f"{number:.3g} {unit if ', ' not in unit else ''}".strip()
 
