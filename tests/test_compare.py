@@ -1,4 +1,4 @@
-"""Comparisons: everybody on the same terms, the table as the saved runs have it, and nothing claimed that numbers do not carry."""
+"""Comparisons: everybody on the same terms, the table as the saved runs have it, nothing claimed that numbers do not carry."""
 
 from __future__ import annotations
 
@@ -18,6 +18,7 @@ from dampen.analysis.merits import merits, rooms
 from dampen.analysis.metrics import error_peaks, error_rms, settling_trial
 from dampen.analysis.sampling_cost import chatter, effort, margin
 from dampen.analysis.tallied import tallied
+from dampen.cli import main
 from dampen.controllers.scales import scales
 from dampen.report.compare.page import write_comparison
 from dampen.report.compare.tables import table
@@ -26,7 +27,7 @@ from dampen.scenarios.read import shipped
 from dampen.simulation.batch import alone
 from dampen.simulation.bench import Bench
 from dampen.simulation.setting import setting_of
-from dampen.studies.compare.api import Plan
+from dampen.studies.compare.api import Plan, open_comparison
 from dampen.studies.compare.comparison import Comparison, Contender, Refined, from_json
 from dampen.studies.compare.ranges import from_controller, from_kind, middle, stretched
 from dampen.studies.compare.verdict import front, verdict
@@ -34,7 +35,6 @@ from dampen.studies.engines import Here
 from dampen.studies.study import open_study
 from dampen.studies.variation import read_axis
 from tests.conftest import scenario
-from tests.test_scenarios import dampen_command
 
 SHORT = ("task.trials=3", "task.trial_duration=0.5", "numerics.modes=12", "numerics.step=0.002", "sampling.period=0.002",
          "output.every=50")  # fmt: skip
@@ -130,8 +130,9 @@ def test_what_is_written_is_read_back(compared: tuple[Comparison, Path]) -> None
 
 
 def test_the_page_stands_alone_and_says_the_verdict(compared: tuple[Comparison, Path], tmp_path: Path) -> None:
-    found, _ = compared
-    page = write_comparison(tmp_path, found).read_text()
+    found, folder = compared
+    np.testing.assert_equal(replace(open_comparison(folder), results={}), replace(found, results={}))
+    page = write_comparison(tmp_path, open_comparison(folder)).read_text()
     assert "http://" not in page.replace("http://www.w3.org", "")
     assert found.verdict[0].split(":")[0] in page
     assert {p.name for p in (tmp_path / "figures").iterdir()} == {
@@ -184,27 +185,49 @@ def test_ctrl_c_leaves_what_is_finished(tmp_path: Path) -> None:
 
 
 REFUSED = {
-    ("string-tip-mass",): "Contender `string-tip-mass` must be the same experiment as `he2017` under another controller, but differs "
-    "in plant, disturbance, task, bounds, actuator.",
+    ("string-tip-mass",): "Contender `string-tip-mass` must be the same experiment as `he2017` under another controller, but "
+    "differs in plant, disturbance, task, bounds, actuator.",
     ("he2017-hysteresis",): "Contender `he2017-hysteresis` must be the same experiment as `he2017` under another controller, but "
     "differs in actuator, compensation.",
     ("open-loop",): "Contender `open-loop` cannot be run here: it has no commands: name a scenario that has.",
     ("boundary-dampin",): "Contender `boundary-dampin` is no kind of controller, no scenario and no file; did you mean",
     ("nowhere.toml",): "Scenario file `nowhere.toml` cannot be read",
-    ("none", "--as-given", "nobody"): "Option `--as-given` must name a contender, but names 'nobody'.",
+    ("none", "--as-given", "nobody"): "Option `--as-given` must name a contender, but names 'nobody'; known here",
     ("none", "--objective", "peek"): "Argument `objective` must be a figure of merit, but is 'peek'; did you mean `peak`?",
     ("none", "--set", "numerics.step=0.3"): "Argument `numerics.step` must",
 }  # fmt: skip
 
 
 @pytest.mark.parametrize("arguments", list(REFUSED))
-def test_bad_input_is_one_line_and_leaves_nothing(arguments: tuple[str, ...], tmp_path: Path) -> None:
+def test_bad_input_is_one_line_and_leaves_nothing(
+    arguments: tuple[str, ...], tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
     settings = SETTINGS if len(arguments) > 1 else []
-    done = dampen_command("compare", "he2017", *settings, *arguments, "--out", "out", cwd=tmp_path)
-    assert done.returncode == 2
-    assert done.stderr.splitlines()[-1].startswith(REFUSED[arguments])
-    assert len(done.stderr.splitlines()) == 1
-    assert not (tmp_path / "out").exists()
+    monkeypatch.chdir(tmp_path)
+    monkeypatch.setattr(sys, "argv", ["dampen", "compare", "he2017", *settings, *arguments])
+    with pytest.raises(SystemExit) as left:
+        main()
+    told = capsys.readouterr().err
+    assert left.value.code == 2
+    assert told.startswith(REFUSED[arguments])
+    assert len(told.splitlines()) == 1
+    assert not list(tmp_path.iterdir())
+
+
+def test_as_given_means_the_contender_so_labelled() -> None:
+    short = scenario(*SHORT)
+    plan = Plan(short, [short, "none"], 5, "residual", 0, ("he2017",))
+    assert [e.label for e in plan.entries] == ["dual-loop-ailc", "he2017", "none"]
+    assert {label: bool(found) for label, found in plan.definitions.items()} == {"dual-loop-ailc": True, "none": False}
+    assert set(Plan(short, ["none"], 5, "residual", 0, ("he2017",)).definitions) == {"none"}
+
+
+def test_without_a_budget_everybody_is_as_given_and_the_table_says_so(tmp_path: Path) -> None:
+    found = dampen.compare(
+        scenario(*SHORT), ["boundary-damping", dampen.PTypeILC(damping={"tip_w": 1.0, "tip_phi": 1.0})], budget=0, engine=Here()
+    )
+    assert [row[1].partition(";")[0] for row in table(found)[1]] == ["as given", "middle of its ranges", "as given"]
+    assert not any(c.tuned for c in found.contenders)
 
 
 def test_contenders_that_cannot_be_run_are_left_out_with_the_reason() -> None:
@@ -228,7 +251,7 @@ def test_every_controller_s_ranges_fit_every_plant(name: str) -> None:
         try:
             start = from_kind(case, kind, bench)  # type: ignore[arg-type]
         except dampen.ArgumentError as error:
-            assert "bounds" in error.lines[0]  # noqa: PT017
+            assert "bounds" in error.lines[0]
             continue
         for text in start.search:
             axis = read_axis("search", text, start.scenario)  # both ends are tried on the scenario
@@ -236,7 +259,9 @@ def test_every_controller_s_ranges_fit_every_plant(name: str) -> None:
             assert axis.low <= own <= axis.high
         assert bool(start.search) == (kind.kind not in ("none", "open-loop"))
         absent = [p for p in case.ports if any(isinstance(s, dampen.Absent) for s in case.actuators.get(p, ()))]
-        assert not [t for t in start.search for p in absent if t.startswith((f"controller.damping.{p}", f"controller.learning.{p}"))]
+        assert not [
+            t for t in start.search for p in absent if t.startswith((f"controller.damping.{p}", f"controller.learning.{p}"))
+        ]
         tried += 1
     assert tried >= 6
     assert from_controller(case, bench).scenario == case
@@ -268,7 +293,11 @@ def contender(label: str, residual: float, fine: float, effort: float, status: s
 
 def test_the_verdict_is_what_both_numerics_carry() -> None:
     short = scenario(*SHORT)
-    own, better, near = contender("own", 2e-2, 3e-2, 1.0), contender("better", 1e-2, 0.9e-2, 2.0), contender("near", 1.5e-2, 2.5e-2, 3.0)
+    own, better, near = (
+        contender("own", 2e-2, 3e-2, 1.0),
+        contender("better", 1e-2, 0.9e-2, 2.0),
+        contender("near", 1.5e-2, 2.5e-2, 3.0),
+    )
     lost = contender("lost", 1e-3, 1e-3, 0.1, "constraint_lost")
     sentences = verdict(short, [own, better, near, lost], "residual")
     assert sentences[0] == "Best in residual as a share of the constraint: better, 1 % (0.9 % at 24 modes and 1 ms)."

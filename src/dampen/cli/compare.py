@@ -20,7 +20,7 @@ HELP = (
     "and a report. The verdict says whom the experiment's own law loses to.\n\nExamples:\n\n  dampen compare he2017\n\n"
     "  dampen compare he2017 boundary-damping lqg he2017-tuned --budget 500 --objective peak\n\n"
     "  dampen compare he2017 he2017 --as-given he2017    # the law as published, beside the law tuned\n\n"
-    "WITH is a kind of controller (see `dampen list controller`; \"module:Class\" for your own), whose gains are searched from the "
+    'WITH is a kind of controller (see `dampen list controller`; "module:Class" for your own), whose gains are searched from the '
     "middle of the ranges that it says, or another scenario of the same experiment, of which the controller is taken, and its "
     "sampling. Left out: all shipped kinds that can be run here.\n\nExit status: 0 when all contenders are there; 2 for bad "
     "input; 3 when it was interrupted: the same command with the same --out goes on with it."
@@ -32,9 +32,7 @@ def compare(
     with_: Annotated[list[str] | None, typer.Argument(metavar="[WITH]...", help="kinds of controllers, or scenarios")] = None,
     budget: Annotated[int, typer.Option("--budget", min=0, help="candidates for each controller; 0: as given")] = 300,
     objective: Annotated[str, typer.Option("--objective", help="what is made small: any figure of merit")] = "residual",
-    as_given: Annotated[
-        list[str] | None, typer.Option("--as-given", metavar="NAME", help="do not tune this contender")
-    ] = None,
+    as_given: Annotated[list[str] | None, typer.Option("--as-given", metavar="NAME", help="do not tune this contender")] = None,
     seed: SeedOption = 0,
     set_: SetOption = None,
     folder: OutOption = None,

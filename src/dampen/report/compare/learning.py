@@ -20,6 +20,7 @@ from dampen.simulation.result import Result
 from dampen.studies.compare.comparison import Comparison, Contender
 
 BINS = 300
+FAR = 4.0  # times what is shown, beyond which a curve would only cross it
 LEGEND, HEAD, GAP, LEFT = 1.45, 0.26, 0.66, 0.62  # in
 
 
@@ -33,14 +34,14 @@ def draw_learning(found: Comparison, runs: Mapping[str, Result]) -> tuple[Figure
         trials = max(map(len, shown))
         for one in reversed(found.contenders):
             peaks, look = np.array(one.peaks[port]), styles[one.label]
-            few = {"ms": 2.8, "markevery": max(1, trials // 12), "mew": 0.8 if look["marker"] == "x" else 0}
+            few: dict[str, Any] = {"ms": 2.8, "markevery": max(1, trials // 12), "mew": 0.8 if look["marker"] == "x" else 0}
             axes.plot(np.where(peaks > 0, peaks, np.nan), **few, **look, zorder=3 + (one is found.contenders[0]))
         axes.axhline(found.thresholds[port], color=INK, lw=0.6, ls=(0, (1, 2)), zorder=1)
         axes.annotate("settled", (1, found.thresholds[port]), (0, 2), axes.get_yaxis_transform(), "offset points", ha="right",
                       fontsize=6, color="#555555")  # fmt: skip
         everything = np.concatenate([*shown, [found.thresholds[port]]])
         everything = everything[np.isfinite(everything) & (everything > 0)]
-        log_axis(axes, f"largest error, {names.label} [{names.motion}]", everything.min() / 1.6, everything.max() * 1.6)
+        log_axis(axes, f"largest error, {names.short} [{names.motion}]", everything.min() / 1.6, everything.max() * 1.6)
         axes.set_xlabel("trial")
         axes.xaxis.set_major_locator(MaxNLocator(6, integer=True, steps=[1, 2, 5, 10]))
         axes.set_xlim(-0.5, max(trials - 0.5, 1))
@@ -58,7 +59,8 @@ def learning_sentence(found: Comparison) -> str:
 
 
 def draw_last(found: Comparison, runs: Mapping[str, Result]) -> tuple[Figure, str]:
-    """The error in the last trial, a panel for each counted port, as far as those go that hold the constraint."""
+    """The error in the last trial, a panel for each counted port, as far as those go that hold the constraint; who is far
+    beyond is not drawn, but told."""
     figure, panels = panels_of(found, runs, 2.6)
     styles, beyond = looks(found), list[str]()
     for axes, port in zip(panels, found.counted, strict=True):
@@ -67,16 +69,16 @@ def draw_last(found: Comparison, runs: Mapping[str, Result]) -> tuple[Figure, st
         reach = 1.15 * max([c.peaks[port][-1] for c in ran if c.held] or [ran[0].peaks[port][-1]]) or 1.0
         axes.set_ylim(-reach, reach)
         for one in ran:
+            if one.peaks[port][-1] > FAR * reach:
+                beyond.append(f"{one.label} goes to {quantity(one.peaks[port][-1], names.motion)} at {names.text}")
+                continue
             error = tracking_error(runs[one.label], port, one.trials - 1)
             picked = pick_extremes(error[None], BINS)[0]
             look = {**styles[one.label], "marker": "", "lw": 1.2 if one is found.contenders[0] else 0.8}
             axes.plot(runs[one.label].time[picked], error[picked], **look)
-            largest = float(np.max(np.abs(error)))
-            if largest > reach:
-                beyond.append(f"{one.label} goes on to {quantity(largest, names.motion)} at {names.text}")
         axes.set_xlim(0, float(next(iter(runs.values())).time[-1]))
         axes.set_xlabel("time in the last trial [s]")
-        value_axis(axes, f"error, {names.label}", names.motion)
+        value_axis(axes, f"error, {names.short}", names.motion)
     legend(figure, found, marked=False)
     return figure, last_sentence(found, beyond)
 
@@ -91,7 +93,7 @@ def last_sentence(found: Comparison, beyond: list[str]) -> str:
         parts.append(f"largest |error| of {port.replace('_', ' ')} [{unit}]: {', '.join(values)}" if values else "")
     text = "; ".join(part for part in parts if part)
     text = text[:1].upper() + text[1:]
-    return f"{text}. {'; '.join(beyond)}{'.' if beyond else ''}".strip(". ") + "."
+    return f"{text}." + (f" Not drawn: {'; '.join(beyond)}." if beyond else "")
 
 
 def panels_of(found: Comparison, runs: Mapping[str, Result], height: float) -> tuple[Figure, list[Axes]]:

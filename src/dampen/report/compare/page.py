@@ -21,12 +21,10 @@ from dampen.studies.compare.comparison import Comparison
 from dampen.toml import to_toml
 
 
-def write_comparison(folder: Path, found: Comparison, runs: Mapping[str, Result] | None = None) -> Path:
-    """Write folder/figures/*.png and *.svg and folder/report.html; returns the path of the page.
-
-    runs: by label, those of a comparison that was read back from its file; left out: its own.
-    """
-    folder, runs = Path(folder), found.results if runs is None else runs
+def write_comparison(folder: Path, found: Comparison) -> Path:
+    """Write folder/figures/*.png and *.svg and folder/report.html; returns the path of the page. The comparison must have at
+    least one contender, and its results."""
+    folder, runs = Path(folder), found.results
     scenario = runs[found.contenders[0].label].scenario
     drawn = draw_comparison(found, runs, folder / "figures")
     kind = smaller_format(drawn)

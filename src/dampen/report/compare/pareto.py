@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from itertools import pairwise
+from typing import Any
 
 import numpy as np
 from matplotlib.axes import Axes
@@ -13,12 +15,13 @@ from dampen.report.axes import panel, sheet
 from dampen.report.compare.looks import looks
 from dampen.report.study.axes import log_ticks, merit_axis
 from dampen.report.study.names import merit_label, merit_value, merit_words
-from dampen.report.style import INK, percent
+from dampen.report.style import INK
 from dampen.simulation.scenario import Scenario
 from dampen.studies.compare.comparison import Comparison, Contender
 from dampen.studies.compare.verdict import EFFORT, front, holds
 
 WIDTH, HEIGHT = 4.4, 3.1
+Box = tuple[float, float, float, float]
 
 
 def draw_pareto(found: Comparison, scenario: Scenario) -> tuple[Figure, str]:
@@ -30,7 +33,7 @@ def draw_pareto(found: Comparison, scenario: Scenario) -> tuple[Figure, str]:
     ends = np.array([value for c in shown for value in c.span(found.objective)])
     merit_axis(axes, merit_label(found.objective, scenario), ends)
     if scenario.task.constraint and found.objective in ("peak", "residual"):
-        axes.yaxis.set_major_formatter(FuncFormatter(lambda v, _: percent(v)))
+        axes.yaxis.set_major_formatter(FuncFormatter(lambda v, _: f"{100 * v:g} %"))
     places = effort_axis(axes, merit_label(EFFORT, scenario), [c.merits[EFFORT] for c in shown])
     at = {c.label: (x, c.merits[found.objective]) for c, x in zip(shown, places, strict=True)}
     best = [at[c.label] for c in front([c for c in shown if holds(c)], found.objective)]
@@ -42,7 +45,7 @@ def draw_pareto(found: Comparison, scenario: Scenario) -> tuple[Figure, str]:
         axes.plot([x, x], c.span(found.objective), color=look["color"], lw=0.8, zorder=3, solid_capstyle="butt")
         face = look["color"] if c.held else "white"
         axes.plot(*at[c.label], marker=look["marker"], ms=5.5, mfc=face, mec=look["color"], mew=1.0, ls="none", zorder=4)
-    name_all(axes, shown, at)
+    name_all(axes, shown, at, best)
     return figure, sentence(found, scenario, shown)
 
 
@@ -59,12 +62,15 @@ def effort_axis(axes: Axes, label: str, values: Sequence[float]) -> list[float]:
     return [v if v > 0 else edge for v in values]
 
 
-def name_all(axes: Axes, shown: Sequence[Contender], at: dict[str, tuple[float, float]]) -> None:
-    """Each mark's name beside it, where it is in nobody's way: right, left, above or below, whatever is freest."""
-    axes.figure.canvas.draw_idle()
+def name_all(
+    axes: Axes, shown: Sequence[Contender], at: dict[str, tuple[float, float]], steps: Sequence[tuple[float, float]]
+) -> None:
+    """Each mark's name beside it, where it is in nobody's way: right, left, above or below, whatever is freest. steps: corners
+    of the line through the best, which are in the way too."""
     pixel = {label: axes.transData.transform(place) for label, place in at.items()}
     box, dpi = axes.get_window_extent(), axes.figure.dpi
-    taken = [(x - 0.05 * dpi, y - 0.05 * dpi, x + 0.05 * dpi, y + 0.05 * dpi) for x, y in pixel.values()]
+    taken: list[Box] = [(x - 0.05 * dpi, y - 0.05 * dpi, x + 0.05 * dpi, y + 0.05 * dpi) for x, y in pixel.values()]
+    taken += dots([axes.transData.transform(corner) for corner in steps], 0.03 * dpi)
     for c in shown:
         x, y = pixel[c.label]
         wide, high, off = 0.056 * dpi * len(c.label), 0.11 * dpi, 0.07 * dpi
@@ -78,17 +84,27 @@ def name_all(axes: Axes, shown: Sequence[Contender], at: dict[str, tuple[float, 
         taken.append(boxes[i])
         side, left, bottom = options[i]
         anchor = {"left": left, "right": left + wide, "center": left + wide / 2}[side]
-        axes.annotate(c.label, axes.transAxes.inverted().transform((anchor, bottom + high / 2)), xycoords="axes fraction",
-                      ha=side, va="center", fontsize=6.5, zorder=5)  # fmt: skip
+        at_x, at_y = axes.transAxes.inverted().transform((anchor, bottom + high / 2))
+        axes.annotate(c.label, (at_x, at_y), xycoords="axes fraction", ha=side, va="center", fontsize=6.5, zorder=5)
 
 
-def overlap(a: tuple[float, ...], b: tuple[float, ...]) -> float:
+def dots(corners: Sequence[np.ndarray], half: float) -> list[Box]:
+    """Small boxes along the steps through some corners, [pixels]."""
+    found: list[Box] = []
+    for (x0, y0), (x1, y1) in pairwise(corners):
+        found += [(x - half, y0 - half, x + half, y0 + half) for x in np.arange(x0, x1, 2 * half)]
+        found += [(x1 - half, y - half, x1 + half, y + half) for y in np.arange(min(y0, y1), max(y0, y1), 2 * half)]
+    return found
+
+
+def overlap(a: Box, b: Box) -> float:
     """Area that two boxes share."""
     return max(0.0, min(a[2], b[2]) - max(a[0], b[0])) * max(0.0, min(a[3], b[3]) - max(a[1], b[1]))
 
 
-def outside(a: tuple[float, ...], box: object) -> bool:
-    return a[0] < box.x0 or a[2] > box.x1 + 12 or a[1] < box.y0 or a[3] > box.y1  # type: ignore[attr-defined]
+def outside(a: Box, box: Any) -> bool:
+    """Whether a box sticks out of the axes."""
+    return a[0] < box.x0 or a[2] > box.x1 + 12 or a[1] < box.y0 or a[3] > box.y1
 
 
 def sentence(found: Comparison, scenario: Scenario, shown: Sequence[Contender]) -> str:

@@ -89,7 +89,9 @@ def about(found: Comparison) -> str:
     limits = ", ".join(f"{value:.3g} {found.ports[port][0]} at {port_words(port)}" for port, value in found.thresholds.items())
     finer = next((c.refined for c in found.contenders if c.refined is not None), None)
     text = "Peak, RMS (the residual) and mean energy are of the last five trials; effort is the RMS of the delivered force, "
-    text += "variation the total variation of the command, stuck the share of steps in which a port stuck, all over the whole run. "
+    text += (
+        "variation the total variation of the command, stuck the share of steps in which a port stuck, all over the whole run. "
+    )
     text += f"A contender has settled from the first trial on from which the largest |error| stays within {limits} (5 % of "
     text += "the least room that the constraint leaves; without one 5 % of the largest error of all). "
     if finer is not None:
@@ -99,6 +101,7 @@ def about(found: Comparison) -> str:
 
 
 def objective_head(found: Comparison) -> str:
+    """The objective's name as a heading."""
     return f"{found.objective.replace('.', ' ').replace('_', ' ')}"
 
 
@@ -129,12 +132,14 @@ def short(value: float) -> str:
 
 def found_table(found: Comparison) -> Grid:
     """What each search began from and came to."""
-    rows = []
+    rows: list[tuple[str, ...]] = []
     for c in found.contenders:
         start = DASH if c.start is None else objective_value(found, {**c.merits, found.objective: c.start})
         gains = ", ".join(f"{name} {value:.4g}" for name, value in c.gains.items()) or DASH
         kept = f"{c.kept} of {c.candidates}" if c.tuned else DASH
-        rows.append((c.label, gains, "; ".join(c.notes) or DASH, start, objective_value(found, c.merits), kept, f"{c.seconds:.0f}"))
+        rows.append(
+            (c.label, gains, "; ".join(c.notes) or DASH, start, objective_value(found, c.merits), kept, f"{c.seconds:.0f}")
+        )
     text = f"The {found.objective} with the gains that the search began from (those of the scenario, or the middle of the ranges "
     text += "that a kind of controller says), and with those it came to; how many candidates kept the constraint."
     heads = ("Contender", "Gains that were searched", "Notes", "start", "found", "kept", "time [s]")

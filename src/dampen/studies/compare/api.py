@@ -8,10 +8,11 @@ from pathlib import Path
 from typing import Any
 
 from dampen.component import ArgumentError, wrong
+from dampen.scenarios.results import load
 from dampen.simulation.bench import Bench
 from dampen.simulation.scenario import Scenario
 from dampen.studies.api import engine_of, home_of
-from dampen.studies.compare.comparison import Comparison, Contender, to_json
+from dampen.studies.compare.comparison import Comparison, Contender, from_json, to_json
 from dampen.studies.compare.entries import Entry, Given, entries_of
 from dampen.studies.compare.judge import Interrupted, judged
 from dampen.studies.compare.settle import counted_ports, settled, thresholds
@@ -47,7 +48,7 @@ def compare(
     budget:     candidates for each contender, the first of them its start; 0: all as given.
     objective:  figure of merit that is made small (margin: large), the constraint kept.
     seed:       of every search.
-    as_given:   names of contenders that are not tuned.
+    as_given:   names of contenders that are not tuned: labels, kinds, scenarios.
     folder:     where to write, a contender a folder; a comparison that was interrupted there is gone on with.
     engine:     as for `tune`.   progress: called with (contender, runs done, runs in all).
 
@@ -57,6 +58,17 @@ def compare(
     """
     plan = Plan(scenario, contenders, budget, objective, seed, tuple(as_given))
     return plan.run(None if folder is None else Path(folder), engine_of(engine), progress)
+
+
+def open_comparison(folder: str | Path) -> Comparison:
+    """The comparison that a folder holds, with its runs. Raises ArgumentError for any other folder."""
+    folder = Path(folder)
+    try:
+        found = from_json((folder / AUDIT).read_text(encoding="utf-8"))
+    except (OSError, ValueError, KeyError, TypeError) as error:
+        reason = error.strerror if isinstance(error, OSError) else "it is not one of dampen's"
+        raise ArgumentError(f"Comparison `{folder / AUDIT}` cannot be read: {reason}.") from None
+    return replace(found, results={one.label: load(folder / one.label / "result.nc") for one in found.contenders})
 
 
 class Plan:
@@ -72,11 +84,8 @@ class Plan:
         self.budget, self.seed = whole("budget", budget, 0), whole("seed", seed, 0)
         self.bench = Bench(scenario)
         self.entries, self.left_out = entries_of(scenario, given, self.bench)
-        known = {name for entry in self.entries for name in entry.names}
-        for name in as_given:
-            if name not in known:
-                raise ArgumentError(f"Option `--as-given` must name a contender, but names {name!r}.")
-        self.definitions = {e.label: self._definition(e) for e in self.entries if not set(e.names) & set(as_given)}
+        kept = {label for name in as_given for label in self._named(name)}
+        self.definitions = {e.label: self._definition(e) for e in self.entries if e.label not in kept}
 
     @property
     def runs(self) -> int:
@@ -112,6 +121,14 @@ class Plan:
             if folder is not None:
                 (folder / AUDIT).write_text(to_json(found), encoding="utf-8")
         return found
+
+    def _named(self, name: str) -> list[str]:
+        """Labels of the contenders that a name means: the one so labelled, or all that it may mean otherwise."""
+        labels = [e.label for e in self.entries if e.label == name] or [e.label for e in self.entries if name in e.names]
+        if not labels:
+            known = ", ".join(entry.label for entry in self.entries)
+            raise ArgumentError(f"Option `--as-given` must name a contender, but names {name!r}; known here: {known}.")
+        return labels
 
     def _definition(self, entry: Entry) -> Definition | None:
         """The search for a contender's gains; None where there is none to be made."""

@@ -28,7 +28,7 @@ class Contender:
     """One controller of a comparison.
 
     label: its name here.   kind: of the controller.   source: "scenario" (the experiment's own law), "kind" (named by its kind:
-    begins in the middle of its ranges) or the name of the scenario that its controller was taken from.
+    begins in the middle of its ranges), "object" or the name of the scenario that its controller was taken from.
     tuned: whether its gains were searched for; candidates, kept: how many were tried, and how many of them kept the constraint.
     start: what the objective was with the gains that the search began from; None where it was not tuned, or could not be had.
     gains: by path, what was searched, as it was found.   sampled: whether the law acts through samples.

@@ -137,14 +137,10 @@ def distinct(entries: Sequence[Entry]) -> list[Entry]:
 
 
 def refused(name: str, error: ArgumentError) -> ArgumentError:
-    return ArgumentError(f"Contender `{name}` cannot be run here: {shown_reason(error)}")
+    """The complaint that a contender cannot be run, with its first fault."""
+    return ArgumentError(f"Contender `{name}` cannot be run here: {error.lines[0].rstrip('.')}.")
 
 
 def reason(error: ArgumentError, name: str) -> str:
     """Why it was refused, without its name."""
     return error.lines[0].removeprefix(f"Contender `{name}` cannot be run here: ")
-
-
-def shown_reason(error: ArgumentError) -> str:
-    """The first fault, as a sentence."""
-    return error.lines[0].rstrip(".") + "."

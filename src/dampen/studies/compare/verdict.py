@@ -30,7 +30,9 @@ def verdict(scenario: Scenario, contenders: Sequence[Contender], objective: str)
         sentences.append(f"Of those that hold it nobody is better in both {words(objective)} and effort than {listed(names)}.")
     lost = [one.label for one in contenders if not holds(one)]
     if lost and held:
-        sentences.append(f"{listed(lost)} {'does' if len(lost) == 1 else 'do'} not hold the constraint, and {are(lost)} not ranked.")
+        sentences.append(
+            f"{listed(lost)} {'does' if len(lost) == 1 else 'do'} not hold the constraint, and {are(lost)} not ranked."
+        )
     sentences += [sensitive(scenario, one, objective) for one in held if is_sensitive(one, objective)]
     return tuple(sentences)
 
@@ -63,7 +65,11 @@ def best(scenario: Scenario, held: Sequence[Contender], objective: str) -> str:
     sign = -1 if merit(objective).better == "high" else 1
     first = min(held, key=lambda one: sign * one.merits[objective])
     near = [one for one in held if one is not first and not beats(first, one, objective)]
-    of = " as a share of the constraint" if value(scenario, objective, 1.0) == "100 %" and objective in ("peak", "residual") else ""
+    of = (
+        " as a share of the constraint"
+        if value(scenario, objective, 1.0) == "100 %" and objective in ("peak", "residual")
+        else ""
+    )
     text = f"Best in {words(objective)}{of}: {first.label}, {both(scenario, first, objective)}"
     if near:
         text += f"; not told apart from it by these numerics: {', '.join(one.label for one in near)}"
@@ -74,8 +80,12 @@ def own_law(scenario: Scenario, contenders: Sequence[Contender], held: Sequence[
     """Whom the experiment's own law loses to, by how much, and whom it beats."""
     own, others = contenders[0], [one for one in held if one is not contenders[0]]
     if not holds(own):
-        return [f"{own.label} does not hold the constraint, which {listed([o.label for o in others])} hold{'s' * (len(others) == 1)}."
-                ] if others else []  # fmt: skip
+        names = [other.label for other in others]
+        return (
+            [f"{own.label} does not hold the constraint, but {listed(names)} {'does' if len(names) == 1 else 'do'}."]
+            if others
+            else []
+        )
     winners = sorted((o for o in others if beats(o, own, objective)), key=lambda o: o.merits[objective])
     beaten = [o.label for o in others if beats(own, o, objective)]
     even = [o.label for o in others if o not in winners and o.label not in beaten]
@@ -103,11 +113,13 @@ def factor(own: Contender, other: Contender, objective: str) -> str:
 
 
 def is_sensitive(one: Contender, objective: str) -> bool:
+    """Whether a figure differs so much between two numerics that a reader is told."""
     low, high = one.span(objective)
     return bool(low > 0 and high > SENSITIVE * low)
 
 
 def sensitive(scenario: Scenario, one: Contender, objective: str) -> str:
+    """What a reader is told of it."""
     assert one.refined is not None
     fine = value(scenario, objective, one.refined.merits[objective])
     what = "its gains are tuned to their numerics" if one.tuned else "its figures depend on the numerics"
@@ -124,6 +136,7 @@ def both(scenario: Scenario, one: Contender, objective: str) -> str:
 
 
 def numerics(one: Contender) -> str:
+    """The finer numerics of a contender, in words."""
     assert one.refined is not None
     return f"{one.refined.modes} modes and {1e3 * one.refined.step:g} ms"
 
@@ -151,4 +164,5 @@ def listed(names: Sequence[str]) -> str:
 
 
 def are(names: Sequence[str]) -> str:
+    """The verb for so many names."""
     return "is" if len(names) == 1 else "are"
