@@ -305,6 +305,11 @@ def test_the_verdict_is_what_both_numerics_carry() -> None:
     assert "own is not told apart from near." in sentences
     assert "lost does not hold the constraint, and is not ranked." in sentences
     assert [c.label for c in front([own, better, near], "residual")] == ["own", "better"]
+    fragile_here = replace(lost, status="complete", merits={**lost.merits})
+    assert verdict(short, [own, fragile_here], "residual", 7)[0].startswith("With 7 candidates for each that is tuned: best in")
+    assert verdict(short, [own, fragile_here], "residual")[-1] == (
+        "lost holds the constraint here, but not at 24 modes and 1 ms, and is not ranked."
+    )
     fragile = verdict(short, [contender("own", 1e-4, 1e-2, 1.0)], "residual")
     assert fragile[-1].startswith("own: its gains are tuned to their numerics, its residual is 0.01 % here, but 1 % at 24 modes")
 

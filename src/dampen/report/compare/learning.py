@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Collection, Mapping
 from typing import Any
 
 import numpy as np
@@ -62,7 +62,7 @@ def draw_last(found: Comparison, runs: Mapping[str, Result]) -> tuple[Figure, st
     """The error in the last trial, a panel for each counted port, as far as those go that hold the constraint; who is far
     beyond is not drawn, but told."""
     figure, panels = panels_of(found, runs, 2.6)
-    styles, beyond = looks(found), list[str]()
+    styles, beyond, drawn = looks(found), list[str](), set[str]()
     for axes, port in zip(panels, found.counted, strict=True):
         names = port_names(next(iter(runs.values())), port)
         ran = sorted((c for c in found.contenders if c.trials), key=lambda c: -c.peaks[port][-1])
@@ -76,10 +76,11 @@ def draw_last(found: Comparison, runs: Mapping[str, Result]) -> tuple[Figure, st
             picked = pick_extremes(error[None], BINS)[0]
             look = {**styles[one.label], "marker": "", "lw": 1.2 if one is found.contenders[0] else 0.8}
             axes.plot(runs[one.label].time[picked], error[picked], **look)
+            drawn.add(one.label)
         axes.set_xlim(0, float(next(iter(runs.values())).time[-1]))
         axes.set_xlabel("time in the last trial [s]")
         value_axis(axes, f"error, {names.short}", names.motion)
-    legend(figure, found, marked=False)
+    legend(figure, found, drawn)
     return figure, last_sentence(found, beyond)
 
 
@@ -114,10 +115,12 @@ def panels_of(found: Comparison, runs: Mapping[str, Result], height: float) -> t
     return figure, panels
 
 
-def legend(figure: Figure, found: Comparison, marked: bool = True) -> None:
-    """All contenders in a column on the right, in the order of the table."""
+def legend(figure: Figure, found: Comparison, lines: Collection[str] | None = None) -> None:
+    """All contenders in a column on the right, in the order of the table. lines: those that are drawn, as lines without marks."""
     styles = looks(found)
-    handles: list[Any] = [handle(told(one), styles[one.label], marked) for one in found.contenders]
+    handles: list[Any] = [
+        handle(told(one), styles[one.label], lines is None) for one in found.contenders if lines is None or one.label in lines
+    ]
     width, height = figure.get_size_inches()
     figure.legend(
         handles=handles, loc="upper left", bbox_to_anchor=(1 - (LEGEND - 0.06) / width, 1 - (HEAD - 0.06) / height),

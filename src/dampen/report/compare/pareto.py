@@ -13,6 +13,7 @@ from matplotlib.ticker import FuncFormatter
 
 from dampen.report.axes import panel, sheet
 from dampen.report.compare.looks import looks
+from dampen.report.compare.tables import objective_value
 from dampen.report.study.axes import log_ticks, merit_axis
 from dampen.report.study.names import merit_label, merit_value, merit_words
 from dampen.report.style import INK
@@ -20,12 +21,12 @@ from dampen.simulation.scenario import Scenario
 from dampen.studies.compare.comparison import Comparison, Contender
 from dampen.studies.compare.verdict import EFFORT, front, holds
 
-WIDTH, HEIGHT = 4.4, 3.1
+WIDTH, HEIGHT = 3.9, 2.9
 Box = tuple[float, float, float, float]
 
 
 def draw_pareto(found: Comparison, scenario: Scenario) -> tuple[Figure, str]:
-    """A mark for each contender, hollow where the constraint is lost, a bar to its value at finer numerics; those that hold it
+    """A mark for each contender, hollow where the constraint is lost at either of the numerics, a bar to its value at finer numerics; those that hold it
     and that nobody betters in both are joined. No effort at all stands at the left edge."""
     figure = sheet(WIDTH, HEIGHT)
     axes = panel(figure, left=0.72, right=0.2, top=0.14, bottom=0.46)
@@ -43,7 +44,7 @@ def draw_pareto(found: Comparison, scenario: Scenario) -> tuple[Figure, str]:
     for c in shown:
         look, x = styles[c.label], at[c.label][0]
         axes.plot([x, x], c.span(found.objective), color=look["color"], lw=0.8, zorder=3, solid_capstyle="butt")
-        face = look["color"] if c.held else "white"
+        face = look["color"] if holds(c) else "white"
         axes.plot(*at[c.label], marker=look["marker"], ms=5.5, mfc=face, mec=look["color"], mew=1.0, ls="none", zorder=4)
     name_all(axes, shown, at, best)
     return figure, sentence(found, scenario, shown)
@@ -85,7 +86,8 @@ def name_all(
         side, left, bottom = options[i]
         anchor = {"left": left, "right": left + wide, "center": left + wide / 2}[side]
         at_x, at_y = axes.transAxes.inverted().transform((anchor, bottom + high / 2))
-        axes.annotate(c.label, (at_x, at_y), xycoords="axes fraction", ha=side, va="center", fontsize=6.5, zorder=5)
+        axes.annotate(c.label, (at_x, at_y), xycoords="axes fraction", ha=side, va="center", fontsize=6.5, zorder=5,
+                      bbox={"boxstyle": "square,pad=0.08", "fc": "white", "ec": "none", "alpha": 0.8})  # fmt: skip
 
 
 def dots(corners: Sequence[np.ndarray], half: float) -> list[Box]:
@@ -113,11 +115,9 @@ def sentence(found: Comparison, scenario: Scenario, shown: Sequence[Contender]) 
     if not best:
         return "No contender holds the constraint."
     parts = [
-        f"{c.label} ({merit_value(found.objective, c.merits[found.objective], scenario).removesuffix(' of the constraint')} "
-        f"for {merit_value(EFFORT, c.merits[EFFORT], scenario)})"
-        for c in best
+        f"{c.label} ({objective_value(found, c.merits)} for {merit_value(EFFORT, c.merits[EFFORT], scenario)})" for c in best
     ]
     text = f"Nobody is better in both {merit_words(found.objective)} and effort than {', '.join(parts)}"
-    lost = [c.label for c in shown if not c.held]
-    text += f"; hollow: the constraint is lost ({', '.join(lost)})" if lost else ""
+    lost = [c.label for c in shown if not holds(c)]
+    text += f"; hollow: the constraint is not held, here or at finer numerics ({', '.join(lost)})" if lost else ""
     return f"{text}. Bars go to the value at finer numerics."

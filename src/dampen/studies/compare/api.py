@@ -151,7 +151,7 @@ class Plan:
             thresholds=limits,
             contenders=rows,
             left_out=self.left_out,
-            verdict=verdict(self.scenario, rows, self.objective),
+            verdict=verdict(self.scenario, rows, self.objective, self.budget),
             complete=len(rows) == len(self.entries),
             version=version(),
             results=dict(results),

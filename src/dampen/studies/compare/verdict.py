@@ -14,7 +14,7 @@ EFFORT = "effort"
 SENSITIVE = 2.0  # a factor between two numerics from which on a reader is told
 
 
-def verdict(scenario: Scenario, contenders: Sequence[Contender], objective: str) -> tuple[str, ...]:
+def verdict(scenario: Scenario, contenders: Sequence[Contender], objective: str, budget: int = 0) -> tuple[str, ...]:
     """Sentences: the best in the objective, the own law against the others, who lost the constraint, whose figures depend on
     the numerics.
 
@@ -22,19 +22,29 @@ def verdict(scenario: Scenario, contenders: Sequence[Contender], objective: str)
     finer ones; else the two are not told apart. Who did not hold the constraint is not ranked.
     """
     held = [one for one in contenders if holds(one)]
-    sentences = [best(scenario, held, objective)] if held else ["No contender holds the constraint."]
+    searched = f"With {budget} candidates for each that is tuned: " if budget else ""
+    sentences = [first_up(searched + best(scenario, held, objective))] if held else ["No contender holds the constraint."]
     if len(contenders) > 1:
         sentences += own_law(scenario, contenders, held, objective)
     if len(held) > 1 and objective != EFFORT:
         names = [one.label for one in front(held, objective)]
         sentences.append(f"Of those that hold it nobody is better in both {words(objective)} and effort than {listed(names)}.")
-    lost = [one.label for one in contenders if not holds(one)]
-    if lost and held:
-        sentences.append(
-            f"{listed(lost)} {'does' if len(lost) == 1 else 'do'} not hold the constraint, and {are(lost)} not ranked."
-        )
+    sentences += lost(contenders)
     sentences += [sensitive(scenario, one, objective) for one in held if is_sensitive(one, objective)]
     return tuple(sentences)
+
+
+def lost(contenders: Sequence[Contender]) -> list[str]:
+    """Who is not ranked, and at which numerics the constraint was lost."""
+    here = [one.label for one in contenders if not one.held]
+    finer = [one for one in contenders if one.held and not holds(one)]
+    sentences = []
+    if here and len(here) < len(contenders):
+        do, are = ("does", "is") if len(here) == 1 else ("do", "are")
+        sentences.append(f"{listed(here)} {do} not hold the constraint, and {are} not ranked.")
+    for one in finer:
+        sentences.append(f"{one.label} holds the constraint here, but not at {numerics(one)}, and is not ranked.")
+    return sentences
 
 
 def holds(one: Contender) -> bool:
@@ -70,7 +80,7 @@ def best(scenario: Scenario, held: Sequence[Contender], objective: str) -> str:
         if value(scenario, objective, 1.0) == "100 %" and objective in ("peak", "residual")
         else ""
     )
-    text = f"Best in {words(objective)}{of}: {first.label}, {both(scenario, first, objective)}"
+    text = f"best in {words(objective)}{of}: {first.label}, {both(scenario, first, objective)}"
     if near:
         text += f"; not told apart from it by these numerics: {', '.join(one.label for one in near)}"
     return text + "."
@@ -158,11 +168,11 @@ def words(name: str) -> str:
     return f"{kind} at {port}" if port else kind
 
 
+def first_up(text: str) -> str:
+    """With a capital."""
+    return text[0].upper() + text[1:]
+
+
 def listed(names: Sequence[str]) -> str:
     """Names in a sentence."""
     return names[0] if len(names) == 1 else f"{', '.join(names[:-1])} and {names[-1]}"
-
-
-def are(names: Sequence[str]) -> str:
-    """The verb for so many names."""
-    return "is" if len(names) == 1 else "are"
