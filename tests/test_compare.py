@@ -301,8 +301,13 @@ def test_the_verdict_is_what_both_numerics_carry() -> None:
     lost = contender("lost", 1e-3, 1e-3, 0.1, "constraint_lost")
     sentences = verdict(short, [own, better, near, lost], "residual")
     assert sentences[0] == "Best in residual as a share of the constraint: better, 1 % (0.9 % at 24 modes and 1 ms)."
-    assert sentences[1] == "own loses to better in residual (2 % against 1 %; at least 2 times as much at both numerics)."
-    assert "own is not told apart from near." in sentences
+    assert sentences[1] == "own loses in residual (2 %) to better (1 %, by a factor of at least 2)."
+    assert sentences[2] == "own is not told apart from near: the numerics do not carry the difference."
+    assert not any(sentence.startswith("near") for sentence in sentences)
+    paper = replace(near, kind="dual-loop-ailc")
+    assert "near loses in residual (1.5 %) to better (1 %, by a factor of at least 1.5)." in verdict(
+        short, [own, better, paper], "residual"
+    )
     assert "lost does not hold the constraint, and is not ranked." in sentences
     assert [c.label for c in front([own, better, near], "residual")] == ["own", "better"]
     fragile_here = replace(lost, status="complete", merits={**lost.merits})

@@ -26,8 +26,8 @@ Box = tuple[float, float, float, float]
 
 
 def draw_pareto(found: Comparison, scenario: Scenario) -> tuple[Figure, str]:
-    """A mark for each contender, hollow where the constraint is lost at either of the numerics, a bar to its value at finer numerics; those that hold it
-    and that nobody betters in both are joined. No effort at all stands at the left edge."""
+    """A mark for each contender, hollow where the constraint is lost at either of the numerics, a bar to its value at finer
+    ones; those that hold it and that nobody betters in both are joined. No effort at all stands at the left edge."""
     figure = sheet(WIDTH, HEIGHT)
     axes = panel(figure, left=0.72, right=0.2, top=0.14, bottom=0.46)
     shown = [c for c in found.contenders if np.isfinite(c.merits[found.objective]) and np.isfinite(c.merits[EFFORT])]

@@ -1,4 +1,4 @@
-"""What a comparison says, in sentences: who is best, whom the experiment's own law loses to, what the numbers cannot carry."""
+"""What a comparison says, in sentences: who is best, whom the paper's law loses to, what the numbers cannot carry."""
 
 from __future__ import annotations
 
@@ -7,6 +7,7 @@ from collections.abc import Sequence
 import numpy as np
 
 from dampen.analysis.merits import merit, merit_unit
+from dampen.controllers.dual_loop_ailc import DualLoopAILC
 from dampen.simulation.scenario import Scenario
 from dampen.studies.compare.comparison import Contender
 
@@ -15,8 +16,8 @@ SENSITIVE = 2.0  # a factor between two numerics from which on a reader is told
 
 
 def verdict(scenario: Scenario, contenders: Sequence[Contender], objective: str, budget: int = 0) -> tuple[str, ...]:
-    """Sentences: the best in the objective, the own law against the others, who lost the constraint, whose figures depend on
-    the numerics.
+    """Sentences: the best in the objective, the own law and the paper's law against the others, who lost the constraint, whose
+    figures depend on the numerics.
 
     A contender is better than another one only if it is so in every pair of their figures, at the experiment's numerics and at
     finer ones; else the two are not told apart. Who did not hold the constraint is not ranked.
@@ -24,8 +25,9 @@ def verdict(scenario: Scenario, contenders: Sequence[Contender], objective: str,
     held = [one for one in contenders if holds(one)]
     searched = f"With {budget} candidates for each that is tuned: " if budget else ""
     sentences = [first_up(searched + best(scenario, held, objective))] if held else ["No contender holds the constraint."]
-    if len(contenders) > 1:
-        sentences += own_law(scenario, contenders, held, objective)
+    for i, one in enumerate(contenders):
+        if i == 0 or one.kind == DualLoopAILC.kind:
+            sentences += of_law(scenario, one, contenders, objective)
     if len(held) > 1 and objective != EFFORT:
         names = [one.label for one in front(held, objective)]
         sentences.append(f"Of those that hold it nobody is better in both {words(objective)} and effort than {listed(names)}.")
@@ -86,40 +88,32 @@ def best(scenario: Scenario, held: Sequence[Contender], objective: str) -> str:
     return text + "."
 
 
-def own_law(scenario: Scenario, contenders: Sequence[Contender], held: Sequence[Contender], objective: str) -> list[str]:
-    """Whom the experiment's own law loses to, by how much, and whom it beats."""
-    own, others = contenders[0], [one for one in held if one is not contenders[0]]
-    if not holds(own):
-        names = [other.label for other in others]
-        return (
-            [f"{own.label} does not hold the constraint, but {listed(names)} {'does' if len(names) == 1 else 'do'}."]
-            if others
-            else []
-        )
-    winners = sorted((o for o in others if beats(o, own, objective)), key=lambda o: o.merits[objective])
-    beaten = [o.label for o in others if beats(own, o, objective)]
+def of_law(scenario: Scenario, one: Contender, contenders: Sequence[Contender], objective: str) -> list[str]:
+    """Whom a law loses to, by how much, whom it beats, and whom it is not told apart from."""
+    others = [other for other in contenders if holds(other) and other is not one]
+    if not holds(one) or not others:
+        return []  # who does not hold is told elsewhere
+    winners = sorted((o for o in others if beats(o, one, objective)), key=lambda o: o.merits[objective])
+    beaten = [o.label for o in others if beats(one, o, objective)]
     even = [o.label for o in others if o not in winners and o.label not in beaten]
-    mine = value(scenario, objective, own.merits[objective])
-    sentences = []
-    for other in winners:
-        theirs = value(scenario, objective, other.merits[objective])
-        text = f"{own.label} loses to {other.label} in {words(objective)} ({mine} against {theirs}"
-        sentences.append(f"{text}{factor(own, other, objective)}).")
-    if not winners:
-        sentences.append(f"{own.label} loses to none of {len(others)} that hold the constraint.")
+    sentences = [f"{one.label} loses to none of the {len(others)} others that hold the constraint."]
+    if winners:
+        to = [f"{o.label} ({value(scenario, objective, o.merits[objective])}{factor(one, o, objective)})" for o in winners]
+        mine = value(scenario, objective, one.merits[objective])
+        sentences = [f"{one.label} loses in {words(objective)} ({mine}) to {listed(to)}."]
     if beaten:
-        sentences.append(f"{own.label} beats {listed(beaten)}.")
+        sentences.append(f"{one.label} beats {listed(beaten)} in {words(objective)}.")
     if even:
-        sentences.append(f"{own.label} is not told apart from {listed(even)}.")
+        sentences.append(f"{one.label} is not told apart from {listed(even)}: the numerics do not carry the difference.")
     return sentences
 
 
-def factor(own: Contender, other: Contender, objective: str) -> str:
-    """By what factor at least, over both numerics."""
-    (low, _), (_, most) = own.span(objective), other.span(objective)
+def factor(one: Contender, other: Contender, objective: str) -> str:
+    """By what factor at least a law loses, over both numerics."""
+    (low, _), (_, most) = one.span(objective), other.span(objective)
     if merit(objective).better == "high" or not most > 0:
         return ""
-    return f"; at least {low / most:.2g} times as much at both numerics"
+    return f", by a factor of at least {low / most:.2g}"
 
 
 def is_sensitive(one: Contender, objective: str) -> bool:
