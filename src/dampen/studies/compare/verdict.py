@@ -26,8 +26,10 @@ def verdict(scenario: Scenario, contenders: Sequence[Contender], objective: str,
     searched = f"With {budget} candidates for each that is tuned: " if budget else ""
     sentences = [first_up(searched + best(scenario, held, objective))] if held else ["No contender holds the constraint."]
     for i, one in enumerate(contenders):
-        if i == 0 or one.kind == DualLoopAILC.kind:
+        if i == 0:
             sentences += of_law(scenario, one, contenders, objective)
+        elif one.kind == DualLoopAILC.kind:
+            sentences += losses(scenario, one, contenders, objective)
     if len(held) > 1 and objective != EFFORT:
         names = [one.label for one in front(held, objective)]
         sentences.append(f"Of those that hold it nobody is better in both {words(objective)} and effort than {listed(names)}.")
@@ -90,17 +92,13 @@ def best(scenario: Scenario, held: Sequence[Contender], objective: str) -> str:
 
 def of_law(scenario: Scenario, one: Contender, contenders: Sequence[Contender], objective: str) -> list[str]:
     """Whom a law loses to, by how much, whom it beats, and whom it is not told apart from."""
-    others = [other for other in contenders if holds(other) and other is not one]
+    others = rivals(one, contenders)
     if not holds(one) or not others:
         return []  # who does not hold is told elsewhere
-    winners = sorted((o for o in others if beats(o, one, objective)), key=lambda o: o.merits[objective])
+    none = f"{one.label} loses to none of the {len(others)} others that hold the constraint."
+    sentences = losses(scenario, one, contenders, objective) or [none]
     beaten = [o.label for o in others if beats(one, o, objective)]
-    even = [o.label for o in others if o not in winners and o.label not in beaten]
-    sentences = [f"{one.label} loses to none of the {len(others)} others that hold the constraint."]
-    if winners:
-        to = [f"{o.label} ({value(scenario, objective, o.merits[objective])}{factor(one, o, objective)})" for o in winners]
-        mine = value(scenario, objective, one.merits[objective])
-        sentences = [f"{one.label} loses in {words(objective)} ({mine}) to {listed(to)}."]
+    even = [o.label for o in others if not beats(one, o, objective) and not beats(o, one, objective)]
     if beaten:
         sentences.append(f"{one.label} beats {listed(beaten)} in {words(objective)}.")
     if even:
@@ -108,12 +106,28 @@ def of_law(scenario: Scenario, one: Contender, contenders: Sequence[Contender], 
     return sentences
 
 
+def losses(scenario: Scenario, one: Contender, contenders: Sequence[Contender], objective: str) -> list[str]:
+    """Whom a law loses to, by how much; [] where to nobody, or where it is not ranked."""
+    sign = -1 if merit(objective).better == "high" else 1
+    winners = [o for o in rivals(one, contenders) if holds(one) and beats(o, one, objective)]
+    if not winners:
+        return []
+    winners = sorted(winners, key=lambda o: sign * o.merits[objective])
+    to = [f"{o.label} ({value(scenario, objective, o.merits[objective])}{factor(one, o, objective)})" for o in winners]
+    return [f"{one.label} loses in {words(objective)} ({value(scenario, objective, one.merits[objective])}) to {listed(to)}."]
+
+
+def rivals(one: Contender, contenders: Sequence[Contender]) -> list[Contender]:
+    """All others that hold."""
+    return [other for other in contenders if holds(other) and other is not one]
+
+
 def factor(one: Contender, other: Contender, objective: str) -> str:
     """By what factor at least a law loses, over both numerics."""
     (low, _), (_, most) = one.span(objective), other.span(objective)
     if merit(objective).better == "high" or not most > 0:
         return ""
-    return f", by a factor of at least {low / most:.2g}"
+    return f", by a factor of at least {float(f'{low / most:.2g}'):g}"
 
 
 def is_sensitive(one: Contender, objective: str) -> bool:
