@@ -92,6 +92,10 @@ from dampen.studies.api import robust as robust
 from dampen.studies.api import sweep as sweep
 from dampen.studies.api import tune as tune
 from dampen.studies.best import best_scenario as best_scenario
+from dampen.studies.compare.api import compare as compare
+from dampen.studies.compare.api import open_comparison as open_comparison
+from dampen.studies.compare.comparison import Comparison as Comparison
+from dampen.studies.compare.comparison import Contender as Contender
 from dampen.studies.statistics import robustness as robustness
 from dampen.studies.study import Study as Study
 from dampen.studies.study import open_study as open_study

@@ -76,3 +76,13 @@ def first_beyond(result: Result, port: str) -> tuple[int, float] | None:
         if len(beyond):
             return j, float(result.time[beyond[0]])
     return None
+
+
+def settling_trial(errors: Array, bounds: Array) -> int | None:
+    """The first trial from which on every port's largest |error| stays within its bound; None: not even the last one is.
+
+    errors: (trials, ports) largest |error| of each trial.   bounds: (ports,); infinite for a port that does not count.
+    """
+    outside = np.flatnonzero(~(errors <= bounds).all(axis=1))
+    settled = int(outside[-1]) + 1 if len(outside) else 0
+    return settled if settled < len(errors) else None

@@ -8,7 +8,7 @@ from typing import Annotated
 
 import typer
 
-from dampen.cli import review, run, studies
+from dampen.cli import compare, review, run, studies
 from dampen.cli.terminal import BROKE_OFF, COMPLETED, ScenarioArgument, WithListing, WithOverview, complain, out
 from dampen.component import ArgumentError
 
@@ -21,13 +21,16 @@ app = typer.Typer(
     help="Design, simulate, check and tune boundary control and iterative learning control of vibrating structures.\n\n"
     "Begin with `dampen run he2017`: the experiment of He et al. 2017, with and without control, its figures and a verdict on "
     "each of its claims. Then `dampen show he2017 > mine.toml`, change it, and `dampen run mine.toml`.\n\n"
-    "`dampen audit he2017` says what holds in it, what does not and why, and what each part of the law is worth.\n\n"
-    "One run proves little: `dampen sweep`, `robust` and `tune` make thousands.",
+    "`dampen audit he2017` says what holds in it, what does not and why, and what each part of the law is worth; `dampen limit` how "
+    "far it is from the best possible.\n\n"
+    "One run proves little: `dampen compare` holds controllers against each other, and `sweep`, `robust` and `tune` make "
+    "thousands of runs.",
 )
 app.command(cls=WithOverview, help=run.HELP)(run.run)
 app.command(help=review.AUDIT_HELP)(review.audit)
 app.command(help=review.CREDIT_HELP)(review.credit)
 app.command(help=review.LIMIT_HELP)(review.limit)
+app.command(help=compare.HELP)(compare.compare)
 app.command(help=studies.SWEEP_HELP)(studies.sweep)
 app.command(help=studies.ROBUST_HELP)(studies.robust)
 app.command(help=studies.TUNE_HELP)(studies.tune)

@@ -43,7 +43,7 @@ TUNE_HELP = (
     f"peak.tip_w. {PATHS}\n\n{STATUS}"
 )
 RESUME_HELP = f"Go on with a study that was interrupted or killed: no finished row is computed again.\n\n{STATUS}"
-PLOT_HELP = "Draw the figures and the report of a study again, from what it has."
+PLOT_HELP = "Draw the figures and the report of a study or a comparison again, from what it has."
 
 OutOption = Annotated[Path | None, typer.Option("--out", metavar="DIR", help="study folder (default: a new one in runs/)")]
 WorkersOption = Annotated[int | None, typer.Option("--workers", min=1, help="processes (default: one for each core)")]
@@ -128,8 +128,15 @@ def resume(
 
 def plot(folder: FolderArgument) -> None:
     """`dampen plot`."""
+    from dampen.studies.compare.api import AUDIT
     from dampen.studies.study import open_study
 
+    if (folder / AUDIT).exists():
+        from dampen.report.compare.page import write_comparison
+        from dampen.studies.compare.api import open_comparison
+
+        out.print(f"Report: {write_comparison(folder, open_comparison(folder))}", markup=False)
+        return
     _report(open_study(folder))
 
 

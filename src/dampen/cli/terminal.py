@@ -66,14 +66,17 @@ def working(what: str) -> Iterator[None]:
         yield
 
 
-def show_table(headings: Sequence[str], rows: Sequence[Sequence[Any]], numbers: Sequence[str] = ()) -> None:
-    """A table; columns in `numbers` are set to the right."""
+def show_table(
+    headings: Sequence[str], rows: Sequence[Sequence[Any]], numbers: Sequence[str] = (), kept: Sequence[str] = ()
+) -> None:
+    """A table; columns in `numbers` are set to the right, those in `kept` are not broken over lines."""
     from rich import box
     from rich.table import Table
 
     table = Table(box=box.SIMPLE_HEAD, pad_edge=False)
     for heading in headings:
-        table.add_column(heading, justify="right" if heading in numbers else "left", overflow="fold")
+        whole = heading in kept
+        table.add_column(heading, justify="right" if heading in numbers else "left", overflow="fold", no_wrap=whole)
     for row in rows:
         table.add_row(*row)
     Console(highlight=False, width=None if out.is_terminal else 140).print(table)

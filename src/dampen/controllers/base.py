@@ -31,6 +31,7 @@ class Setting:
     is no actuator.   sampled: whether the law acts through samples, whose commands arrive `delay` [s] later.
     model: the structure's modes.   response: (steps, ports, ports) the tracking error at the ends of the intervals, by port,
     after a unit of feedforward in the first interval, by port, with the law's own feedback at work; both computed when asked.
+    kept: what a controller has worked out from all this and wants to find again in the run's next trial.
     """
 
     ports: tuple[Port, ...]
@@ -46,6 +47,7 @@ class Setting:
     delay: float = 0.0
     model: Callable[[], ModalModel] = field(default=lambda: _unknown())
     response: Callable[[], Array] = field(default=lambda: _unknown())
+    kept: dict[str, Any] = field(default_factory=dict, compare=False, repr=False)
 
     @property
     def times(self) -> Array:
@@ -162,6 +164,14 @@ class Controller(Component):
 
     def ports_named(self) -> Mapping[str, str]:
         """The ports that its parameters name: "stiffness.tip_w" -> "tip_w", for every table that goes by port."""
+        return {}
+
+    def search(self, setting: Setting) -> Mapping[str, str]:
+        """Where a tuner is to look for gains: by path below `controller`, a range "LOW:HIGH" or "LOW:HIGH:log".
+
+        {"damping.tip_w": "0.01:100:log"} for a gain in a table by port. Ranges that have units should follow from the
+        structure; see `dampen.controllers.scales`. Ports without an actuator have no gains. {}: nothing to tune.
+        """
         return {}
 
     def notes(self, setting: Setting) -> list[str]:

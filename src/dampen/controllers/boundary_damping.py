@@ -11,6 +11,7 @@ from typing_extensions import Doc
 
 from dampen.controllers.base import Controller, Memory, PortLaw, Setting, named
 from dampen.controllers.feedforward import feedforward
+from dampen.controllers.scales import feedback, scales
 from dampen.port import Port
 from dampen.signals.base import Signal
 
@@ -44,6 +45,10 @@ class BoundaryDamping(Controller):
 
     def has_barrier(self, port: Port) -> bool:
         return self.barrier != "none" and self.barrier_gain.get(port.name, 0.0) > 0
+
+    def search(self, setting: Setting) -> Mapping[str, str]:
+        """Damping and stiffness of every port with an actuator, in units of its impedance and static stiffness."""
+        return feedback(scales(setting))
 
     def law(self, memory: Memory, setting: Setting) -> PortLaw:
         return PortLaw(

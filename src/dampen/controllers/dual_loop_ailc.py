@@ -2,14 +2,16 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any, ClassVar
 
 import numpy as np
 
 from dampen.controllers.base import Array, Assumption, Setting
-from dampen.controllers.inner_loop import InnerLoop
+from dampen.controllers.inner_loop import CHANNELS, InnerLoop, channel
 from dampen.controllers.pointwise import PointwiseLearning, Relearn
+from dampen.controllers.scales import span
 
 
 def relearn(zeta: Any, d_hat: Any, error: Any, v: Any, command: Any, row: Any) -> tuple[Any, Any]:
@@ -40,6 +42,15 @@ class DualLoopAILC(PointwiseLearning, InnerLoop):
     @property
     def relies_on(self) -> tuple[Assumption, ...]:
         return ("alignment", "bounds", "moving ports")
+
+    def search(self, setting: Setting) -> Mapping[str, str]:
+        """The inner loop's gains, and the observers'; without learning these would be nothing but more damping."""
+        found = dict(super().search(setting))
+        for kind, names in CHANNELS.items():
+            scale = channel(setting, kind)
+            if scale is not None:
+                found[names[3]] = span(scale.impedance, 2e-4, 2)
+        return found
 
     def learning_row(self, setting: Setting) -> Array:
         learning, observing = setting.by_kind(self.alpha_4, self.alpha_7), setting.by_kind(self.alpha_8, self.alpha_9)

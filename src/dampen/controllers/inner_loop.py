@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import Annotated, ClassVar, Literal
 
@@ -11,6 +12,7 @@ from typing_extensions import Doc
 
 from dampen.component import Component, check_order
 from dampen.controllers.base import Array, Assumption, Controller, Memory, PortLaw, Setting, total
+from dampen.controllers.scales import PortScale, scales, span
 from dampen.port import Port
 from dampen.stage import Stage, Step
 
@@ -60,6 +62,14 @@ class FlankInverse(Stage):
         return self.assumed.left, self.assumed.left
 
 
+CHANNELS = {"force": ("alpha_4", "alpha_3", "alpha_2", "alpha_8"), "torque": ("alpha_7", "alpha_6", "alpha_5", "alpha_9")}
+
+
+def channel(setting: Setting, kind: str) -> PortScale | None:
+    """The scales of the first port of a channel; None where no actuator moves one."""
+    return next((scale for scale in scales(setting) if scale.port.kind == kind), None)
+
+
 @dataclass(frozen=True)
 class InnerLoop(Controller):
     """The law within a trial; a subclass may add what it learns from trial to trial."""
@@ -95,6 +105,27 @@ class InnerLoop(Controller):
 
     def compensation(self, port: Port) -> tuple[Stage, ...]:
         return (FlankInverse(self.assumed_backlash),) if self.compensate else ()
+
+    def search(self, setting: Setting) -> Mapping[str, str]:
+        """The gains that act: of each channel that has an actuator, damping and barrier in units of the structure's scales,
+        the factors on stated bounds where these are not zero. The paper asks for alpha_2, alpha_5 >= 1.
+
+        Where several ports share a channel, the first of them has the say.
+        """
+        found: dict[str, str] = {}
+        for kind, names in CHANNELS.items():
+            scale = channel(setting, kind)
+            if scale is None:
+                continue
+            damping, barrier, bound = names[:3]
+            found[damping] = span(scale.impedance, 2e-3, 20)
+            if self.barrier != "none" and np.isfinite(scale.room):
+                found[barrier] = span(scale.stiffness * scale.room**2, 2e-3, 20)
+            if setting.bounds.get(scale.port.name, 0.0) > 0:
+                found[bound] = "1:10:log"
+            if kind == "force" and setting.bounds.get("f", 0.0) > 0:
+                found["alpha_1"] = "0.001:10:log"
+        return found
 
     def law(self, memory: Memory, setting: Setting) -> PortLaw:
         return total(InnerLoop.terms(self, memory, setting))  # without what a subclass learns

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
-from typing import Annotated, ClassVar
+from typing import Annotated, Any, ClassVar
 
 import numpy as np
 from annotated_types import Ge
@@ -12,8 +12,11 @@ from typing_extensions import Doc
 
 from dampen.component import wrong
 from dampen.controllers.base import Array, Assumption, Controller, Memory, PortLaw, Setting, Trial, named
+from dampen.controllers.scales import feedback, scales, span
 
 TOLERANCE, ITERATIONS = 1e-13, 5000
+FEW = 150  # iterations in each trial, beyond which factors of the matrix, once for all trials, cost less
+LARGEST = 6000  # unknowns whose matrix is still factorised: 0.3 GB
 
 
 @dataclass(frozen=True)
@@ -53,6 +56,17 @@ class NormOptimalILC(Controller):
     def relies_on(self) -> tuple[Assumption, ...]:
         return ("equal starts", "repetition")
 
+    def search(self, setting: Setting) -> Mapping[str, str]:
+        """The weight of a change, in units of what a unit of command moves at rest; weights of the errors of all ports but the
+        first, which has 1; and the feedback of every port with an actuator. Every port's error teaches every command."""
+        acting = scales(setting)
+        if not acting:
+            return {}
+        soft = max(1 / s.stiffness for s in acting)
+        found = {"change_weight": span(soft**2, 1e-6, 10)}
+        found |= {f"error_weight.{port.name}": "0.01:100:log" for port in setting.ports[1:]}
+        return {**found, **feedback(acting)}
+
     def begin(self, setting: Setting) -> Memory:
         return {"learned": np.zeros((setting.steps, len(setting.ports)))}
 
@@ -60,20 +74,23 @@ class NormOptimalILC(Controller):
         return PortLaw(memory["learned"], damping=setting.by_port(self.damping), stiffness=setting.by_port(self.stiffness))
 
     def learn(self, memory: Memory, trial: Trial, setting: Setting) -> Memory:
-        """Conjugate gradients on (P' Q P + (r + s) I) (u - u_j) = -P' Q e_j - r u_j."""
-        lifted = Lifted(setting.response())
+        """The solution of (P' Q P + (r + s) I) (u - u_j) = -P' Q e_j - r u_j."""
+        if "lifted" not in setting.kept:
+            setting.kept["lifted"] = Lifted(setting.response())
+        lifted = setting.kept["lifted"]
         weight, command = setting.by_port(self.error_weight, 1.0), memory["learned"]
         ridge = self.effort_weight + self.change_weight
-        gradient = lifted.back(weight * trial.error[1:]) + self.effort_weight * command
-        change = conjugate_gradients(lambda u: lifted.back(weight * lifted(u)) + ridge * u, -gradient)
-        return {"learned": command + change}
+        right = -lifted.back(weight * trial.error[1:]) - self.effort_weight * command
+        return {"learned": command + lifted.solve(weight, ridge, right)}
 
 
 class Lifted:
     """The lifted matrix P, block Toeplitz, through fast Fourier transforms. response: (steps, ports out, ports in)."""
 
     def __init__(self, response: Array):
-        self.steps = len(response)
+        self.steps, self.response = len(response), response
+        self.acting = np.flatnonzero(np.any(response != 0, axis=(0, 1)))  # ports whose commands do anything
+        self.factors: Any = None
         self.spectrum = np.fft.rfft(response, 2 * self.steps, axis=0)
 
     def __call__(self, u: Array) -> Array:
@@ -86,19 +103,53 @@ class Lifted:
         product = np.einsum("fpr,fp->fr", self.spectrum.conj(), np.fft.rfft(e, 2 * self.steps, axis=0))
         return np.asarray(np.fft.irfft(product, 2 * self.steps, axis=0)[: self.steps])
 
+    def solve(self, weight: Array, ridge: float, right: Array) -> Array:
+        """The solution u, (steps, ports), of (P' Q P + ridge I) u = right, for the weights Q and the ridge of the first call.
 
-def conjugate_gradients(matrix: Callable[[Array], Array], right: Array) -> Array:
-    """The solution of a symmetric positive definite system, given as a product."""
+        By conjugate gradients; where they are slow, since the ridge is small, by Cholesky factors, which serve further calls.
+        """
+        from scipy.linalg import cho_factor, cho_solve
+
+        direct = self.steps * len(self.acting) <= LARGEST
+        if self.factors is None:
+            limit = FEW if direct else ITERATIONS
+            u, done = conjugate_gradients(lambda u: self.back(weight * self(u)) + ridge * u, right, limit)
+            if done or not direct:
+                return u
+            self.factors = cho_factor(self.normal(weight, ridge), lower=True, overwrite_a=True, check_finite=False)
+        u = right / ridge  # where a command does nothing
+        turned = right[::-1, self.acting].ravel()
+        u[::-1, self.acting] = cho_solve(self.factors, turned, check_finite=False).reshape(self.steps, -1)
+        return u
+
+    def normal(self, weight: Array, ridge: float) -> Array:
+        """P' Q P + ridge I of the commands that do anything, (steps ports, steps ports), steps in reverse order.
+
+        From the end, row by row: what two commands have in common grows by one step of the response as both come one earlier,
+        G(a, b) = G(a - 1, b - 1) + h(a)' Q h(b).
+        """
+        response = self.response[:, :, self.acting] * np.sqrt(weight)[:, None]
+        count = len(self.acting)
+        h = response.transpose(0, 2, 1).reshape(self.steps * count, -1)
+        g = h @ h.T
+        for a in range(count, len(g), count):
+            g[a : a + count, count:] += g[a - count : a, :-count]
+        g[np.diag_indices_from(g)] += ridge
+        return np.asarray(g)
+
+
+def conjugate_gradients(matrix: Callable[[Array], Array], right: Array, limit: int = ITERATIONS) -> tuple[Array, bool]:
+    """The solution of a symmetric positive definite system, given as a product, and whether it was reached within the limit."""
     x, r = np.zeros_like(right), right.copy()
     p, square = r.copy(), float(np.sum(r * r))
     target = TOLERANCE**2 * square
-    for _ in range(ITERATIONS):
+    for _ in range(limit):
         if square <= target:
-            break
+            return x, True
         product = matrix(p)
         step = square / float(np.sum(p * product))
         x += step * p
         r -= step * product
         square, before = float(np.sum(r * r)), square
         p = r + square / before * p
-    return x
+    return x, square <= target

@@ -11,6 +11,7 @@ from annotated_types import Ge, Gt, Lt, Unit
 from typing_extensions import Doc
 
 from dampen.controllers.base import Array, Assumption, Controller, Memory, PortLaw, Setting, Trial, named
+from dampen.controllers.scales import feedback, first_period, scales, span
 
 
 @dataclass(frozen=True)
@@ -44,6 +45,15 @@ class PTypeILC(Controller):
     @property
     def relies_on(self) -> tuple[Assumption, ...]:
         return ("equal starts", "repetition")
+
+    def search(self, setting: Setting) -> Mapping[str, str]:
+        """Learning gain and feedback of every port with an actuator in units of its static stiffness and impedance; forgetting
+        up to a half, lead up to a quarter of the structure's first period, the cut-off from two periods a trial to just below
+        half the sample rate. A port learns from its own error."""
+        found = {f"learning.{s.port.name}": span(s.stiffness, 1e-3, 10) for s in scales(setting)}
+        whole = {"lead": f"0:{first_period(setting) / 4:.3g}", "forgetting": "0:0.5"}
+        whole["cutoff"] = f"{2 / (setting.steps * setting.dt):.3g}:{0.45 / setting.dt:.3g}:log"
+        return {**found, **whole, **feedback(scales(setting))} if found else {}
 
     def begin(self, setting: Setting) -> Memory:
         return {"learned": np.zeros((setting.steps, len(setting.ports)))}
@@ -80,6 +90,11 @@ class PDTypeILC(PTypeILC):
 
     def ports_named(self) -> Mapping[str, str]:
         return {**super().ports_named(), **named(rate_learning=self.rate_learning)}
+
+    def search(self, setting: Setting) -> Mapping[str, str]:
+        """As for P-type, and the gain on the rate in units of the impedance."""
+        rate = {f"rate_learning.{s.port.name}": span(s.impedance, 1e-3, 10) for s in scales(setting)}
+        return {**super().search(setting), **rate}
 
     def correction(self, trial: Trial, setting: Setting) -> Array:
         shift = round(self.lead / setting.dt)

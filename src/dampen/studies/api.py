@@ -92,13 +92,13 @@ def tune(
 
 def resume(folder: str | Path, *, engine: Engine | int | str | None = None, progress: Progress | None = None) -> Study:
     """Go on with a study from where it was left. Raises ArgumentError for a folder that holds none."""
-    return open_study(folder).run(_engine(engine), progress)
+    return open_study(folder).run(engine_of(engine), progress)
 
 
 def _run(definition: Definition, folder: str | Path | None, engine: Any, progress: Progress | None) -> Study:
     study = new_study(definition, None if folder is None else Path(folder))
     try:
-        return study.run(_engine(engine), progress)
+        return study.run(engine_of(engine), progress)
     except ArgumentError:
         study.discard()
         raise
@@ -114,7 +114,8 @@ def home_of(scenario: Scenario) -> Path:
     return Path().resolve()
 
 
-def _engine(given: Engine | int | str | None) -> Engine | None:
+def engine_of(given: Engine | int | str | None) -> Engine | None:
+    """An engine from what callers may give: itself, a number of processes, or a scheduler's address."""
     if isinstance(given, str):
         return Cluster(given)
     if isinstance(given, int):

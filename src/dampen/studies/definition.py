@@ -145,12 +145,8 @@ def tune_of(
     home: Path = Path(),
 ) -> Definition:
     """A search for the best of what `search` ranges over."""
-    axes, known = read_axes("search", search, scenario), columns(scenario)
-    for name in objective:
-        if name not in known:
-            raise ArgumentError(f"Argument `objective` must be a figure of merit, but is {name!r}{suggestion(name, known)}")
-    if not objective or len(set(objective)) < len(objective):
-        raise ArgumentError("Argument `objective` must name each figure of merit once, and at least one.")
+    axes = read_axes("search", search, scenario)
+    check_objectives(objective, scenario)
     if population is None:
         population = 16 + int(6 * np.log(len(axes) + 1)) if len(objective) == 1 else 40  # large: the ground is rugged
     limits = (("budget", budget, 1), ("population", population, 4), ("robust_samples", robust_samples, 1), ("seed", seed, 0))
@@ -161,6 +157,16 @@ def tune_of(
         "tune", scenario, axes, seed, objectives=tuple(objective), budget=budget, population=population, robust_axes=over,
         robust_samples=robust_samples if over else 0, home=home,
     )  # fmt: skip
+
+
+def check_objectives(objective: Sequence[str], scenario: Scenario) -> None:
+    """Raise ArgumentError unless each is a figure of merit of the scenario, and named once."""
+    known = columns(scenario)
+    for name in objective:
+        if name not in known:
+            raise ArgumentError(f"Argument `objective` must be a figure of merit, but is {name!r}{suggestion(name, known)}")
+    if not objective or len(set(objective)) < len(objective):
+        raise ArgumentError("Argument `objective` must name each figure of merit once, and at least one.")
 
 
 def whole(name: str, value: Any, least: int) -> int:

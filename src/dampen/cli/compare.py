@@ -1,0 +1,93 @@
+"""`dampen compare`: one experiment under several controllers."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated
+
+import typer
+
+from dampen.cli.studies import OutOption, ReportOption, SeedOption, WorkersOption
+from dampen.cli.terminal import BROKE_OFF, ScenarioArgument, SetOption, err, free_folder, out, show_table, working
+
+if TYPE_CHECKING:
+    from dampen.studies.compare.comparison import Comparison
+
+HELP = (
+    "Run one experiment under several controllers, each with gains tuned on the same budget; write a table, figures, every run "
+    "and a report. The verdict says whom the experiment's own law loses to.\n\nExamples:\n\n  dampen compare he2017\n\n"
+    "  dampen compare he2017 boundary-damping lqg he2017-tuned --budget 500 --objective peak\n\n"
+    "  dampen compare he2017 he2017 --as-given he2017    # the law as published, beside the law tuned\n\n"
+    'WITH is a kind of controller (see `dampen list controller`; "module:Class" for your own), whose gains are searched from the '
+    "middle of the ranges that it says, or another scenario of the same experiment, of which the controller is taken, and its "
+    "sampling. Left out: all shipped kinds that can be run here.\n\nExit status: 0 when all contenders are there; 2 for bad "
+    "input; 3 when it was interrupted: the same command with the same --out goes on with it."
+)
+
+
+def compare(
+    scenario: ScenarioArgument,
+    with_: Annotated[list[str] | None, typer.Argument(metavar="[WITH]...", help="kinds of controllers, or scenarios")] = None,
+    budget: Annotated[int, typer.Option("--budget", min=0, help="candidates for each controller; 0: as given")] = 300,
+    objective: Annotated[str, typer.Option("--objective", help="what is made small: any figure of merit")] = "residual",
+    as_given: Annotated[list[str] | None, typer.Option("--as-given", metavar="NAME", help="do not tune this contender")] = None,
+    seed: SeedOption = 0,
+    set_: SetOption = None,
+    folder: OutOption = None,
+    workers: WorkersOption = None,
+    report: ReportOption = True,
+) -> None:
+    """`dampen compare`."""
+    from dampen.scenarios.read import read_scenario
+    from dampen.studies.compare.api import Plan
+    from dampen.studies.engines import Cores
+
+    case = read_scenario(scenario, set_ or ())
+    with working("Trying the contenders"):
+        plan = Plan(case, with_ or None, budget, objective, seed, as_given or ())
+    for name, why in plan.left_out.items():
+        err.print(f"Left out: {name}: {why}", markup=False)
+    folder = free_folder(folder, f"{case.name}-compare")
+    with compare_bar(plan.runs) as progress:
+        found = plan.run(folder, Cores(workers) if workers else None, progress)
+    show(found, folder, report)
+    if not found.complete:
+        err.print(
+            f"Interrupted: {len(found.contenders)} of {len(plan.entries)} contenders are done; the same command with "
+            f"`--out {folder}` goes on.", markup=False,
+        )  # fmt: skip
+        raise typer.Exit(BROKE_OFF)
+
+
+def show(found: Comparison, folder: Path, report: bool) -> None:
+    """The table, the verdict, and where everything is."""
+    from dampen.report.compare.tables import about, terminal_tables
+
+    if not found.contenders:
+        return
+    for headings, rows in terminal_tables(found):
+        show_table(headings, rows, [head for head in headings if head not in ("Contender", "Gains")], ("Contender",))
+    out.print(about(found), style="dim", markup=False)
+    for sentence in found.verdict:
+        out.print(sentence, markup=False)
+    if report:
+        from dampen.report.compare.page import write_comparison
+
+        with working("Drawing figures"):
+            page = write_comparison(folder, found)
+        out.print(f"Report: {page}", markup=False)
+    else:
+        out.print(f"Comparison: {folder}", markup=False)
+
+
+@contextmanager
+def compare_bar(total: int) -> Iterator[Callable[[str, int, int], None]]:
+    """A progress line with the contender that is at it; quiet in a pipe."""
+    from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeRemainingColumn
+
+    columns = (TextColumn("{task.description}"), BarColumn(), MofNCompleteColumn(), TimeRemainingColumn())
+    with Progress(*columns, console=err, transient=True, disable=not err.is_terminal) as bar:
+        task = bar.add_task("Runs", total=total)
+        yield lambda label, done, runs: bar.update(task, description=label, completed=done)

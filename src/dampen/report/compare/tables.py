@@ -1,0 +1,146 @@
+"""The table of a comparison, a row for each contender: for the page, and narrower for a terminal."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from dataclasses import dataclass
+
+from dampen.report.study.names import math_unit, port_words
+from dampen.report.study.tables import Grid
+from dampen.report.style import DASH, MINUS
+from dampen.studies.compare.comparison import Comparison, Contender
+
+Cell = Callable[[Contender], str]
+
+
+@dataclass(frozen=True)
+class Column:
+    """One column: its heading, its unit, what it says of a contender, and whether it is about what that costs."""
+
+    head: str
+    unit: str
+    cell: Cell
+    costs: bool = False
+
+    @property
+    def title(self) -> str:
+        return f"{self.head} [{self.unit}]" if self.unit else self.head
+
+
+def columns_of(found: Comparison) -> list[Column]:
+    """Peak, RMS, settling, margin, effort, stuck, variation of the command, energy; and the objective at both numerics."""
+    pushed = [p for p in found.ports if any(c.merits[f"effort.{p}"] > 0 for c in found.contenders)]
+    together = {unit for p in pushed for unit in [found.ports[p][1]]}
+    unit = together.pop() if len(together) == 1 else "N, N m" if together else ""
+    columns = [Column(objective_head(found), "", lambda c: objective_value(found, c.merits))]
+    columns.append(Column("the same, finer", "", lambda c: objective_value(found, c.refined.merits) if c.refined else DASH))
+    for name, words, ports, which in (("peak", "peak", found.ports, 0), ("residual", "RMS", found.ports, 0)):
+        columns += [of_port(name, words, port, found.ports[port][which]) for port in ports]
+    columns.append(Column("settles in trial", "", lambda c: DASH if c.settling is None else str(c.settling)))
+    if any("margin" in c.merits for c in found.contenders):
+        columns.append(Column("margin", "", lambda c: share(c.merits["margin"])))
+    columns += [of_port("effort", "effort", port, found.ports[port][1], costs=True) for port in pushed]
+    columns.append(Column("stuck", "", lambda c: share(c.merits["stuck"]), costs=True))
+    columns.append(Column("variation", unit, lambda c: short(c.merits["chatter"]), costs=True))
+    columns.append(Column("energy", "J", lambda c: short(c.merits["energy"]), costs=True))
+    return columns
+
+
+def of_port(name: str, words: str, port: str, unit: str, costs: bool = False) -> Column:
+    """A merit at one port."""
+    return Column(f"{words} {port_words(port)}", math_unit(unit), lambda c: short(c.merits[f"{name}.{port}"]), costs)
+
+
+def table(found: Comparison) -> tuple[tuple[str, ...], list[tuple[str, ...]]]:
+    """Headings and rows for the page; the first two columns are words."""
+    columns = columns_of(found)
+    heads = ("Contender", "Gains", *(column.title for column in columns))
+    return heads, [(c.label, how(c), *(column.cell(c) for column in columns)) for c in found.contenders]
+
+
+def terminal_tables(found: Comparison) -> list[tuple[list[str], list[list[str]]]]:
+    """Headings and rows of two tables that fit a terminal: errors, and what they cost."""
+    columns = columns_of(found)
+    errors = [column for column in columns if column.costs is False]
+    halves = [errors, [column for column in columns if column.costs]]
+    tables = []
+    for half, own in zip(halves, (("Contender", "Gains"), ("Contender",)), strict=True):
+        words = [[c.label, how(c)][: len(own)] for c in found.contenders]
+        rows = [[*text, *(column.cell(c) for column in half)] for text, c in zip(words, found.contenders, strict=True)]
+        tables.append(([*own, *(column.title for column in half)], rows))
+    return tables
+
+
+def how(c: Contender) -> str:
+    """How its gains came about, and what there is to say of its run."""
+    words = f"tuned, {c.candidates}" if c.tuned else "as given" if c.gains or c.source != "kind" else GIVEN[c.kind == "none"]
+    extras = [*(["through samples"] if c.sampled else []), *([STATUS[c.status]] if c.status in STATUS else [])]
+    extras += ["forces did not settle"] if c.merits["unsettled"] > 0 else []
+    return "; ".join([words, *extras])
+
+
+GIVEN = {True: "none", False: "middle of its ranges"}
+STATUS = {"constraint_lost": "constraint lost", "diverged": "diverged"}
+
+
+def about(found: Comparison) -> str:
+    """What the columns mean, with this comparison's numbers."""
+    limits = ", ".join(f"{value:.3g} {found.ports[port][0]} at {port_words(port)}" for port, value in found.thresholds.items())
+    finer = next((c.refined for c in found.contenders if c.refined is not None), None)
+    text = "Peak, RMS (the residual) and mean energy are of the last five trials; effort is the RMS of the delivered force, "
+    text += (
+        "variation the total variation of the command, stuck the share of steps in which a port stuck, all over the whole run. "
+    )
+    text += f"A contender has settled from the first trial on from which the largest |error| stays within {limits} (5 % of "
+    text += "the least room that the constraint leaves; without one 5 % of the largest error of all). "
+    if finer is not None:
+        text += f"Finer: the same gains on a fresh set of {finer.modes} modes with a step of {1e3 * finer.step:g} ms. "
+    text += f"Tuned: by CMA-ES for the {found.objective}, {found.budget} candidates each, seed {found.seed}, the constraint kept."
+    return text
+
+
+def objective_head(found: Comparison) -> str:
+    """The objective's name as a heading."""
+    return f"{found.objective.replace('.', ' ').replace('_', ' ')}"
+
+
+def objective_value(found: Comparison, merits: dict[str, float]) -> str:
+    """The objective: shares in percent."""
+    kind, _, port = found.objective.partition(".")
+    value = merits[found.objective]
+    is_share = kind in ("margin", "stuck") or (kind in ("peak", "residual") and not port and "margin" in merits)
+    return share(value) if is_share else short(value)
+
+
+def share(value: float) -> str:
+    """A share in percent, three digits."""
+    return DASH if not math.isfinite(value) else f"{float(f'{100 * value:.3g}'):g} %".replace("-", MINUS)
+
+
+def short(value: float) -> str:
+    """Two or three digits, in as few letters as a narrow column has."""
+    if not math.isfinite(value):
+        return DASH
+    if value == 0:
+        return "0"
+    if 0.01 <= abs(value) < 1e4:
+        return f"{float(f'{value:.3g}'):g}".replace("-", MINUS)
+    mantissa, power = f"{value:.1e}".split("e")
+    return f"{mantissa}e{int(power)}".replace("-", MINUS)
+
+
+def found_table(found: Comparison) -> Grid:
+    """What each search began from and came to."""
+    rows: list[tuple[str, ...]] = []
+    for c in found.contenders:
+        start = DASH if c.start is None else objective_value(found, {**c.merits, found.objective: c.start})
+        gains = ", ".join(f"{name} {value:.4g}" for name, value in c.gains.items()) or DASH
+        kept = f"{c.kept} of {c.candidates}" if c.tuned else DASH
+        rows.append(
+            (c.label, gains, "; ".join(c.notes) or DASH, start, objective_value(found, c.merits), kept, f"{c.seconds:.0f}")
+        )
+    text = f"The {found.objective} with the gains that the search began from (those of the scenario, or the middle of the ranges "
+    text += "that a kind of controller says), and with those it came to; how many candidates kept the constraint."
+    heads = ("Contender", "Gains that were searched", "Notes", "start", "found", "kept", "time [s]")
+    return Grid("What was searched", text, heads, rows, 3)

@@ -1,0 +1,163 @@
+"""One contender: its gains searched for, its run, its figures, and how far these depend on the numerics."""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Callable
+from dataclasses import dataclass, replace
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from dampen.analysis.merits import merit, merits
+from dampen.analysis.metrics import error_peaks
+from dampen.analysis.tallied import tallied
+from dampen.component import ArgumentError
+from dampen.simulation.batch import alone
+from dampen.simulation.bench import Bench
+from dampen.simulation.kernel import MODES_AT_MOST
+from dampen.simulation.result import Result
+from dampen.simulation.scenario import Scenario
+from dampen.simulation.stores import FileStore
+from dampen.simulation.trials import simulate
+from dampen.studies.best import best_row
+from dampen.studies.compare.comparison import Contender, Refined
+from dampen.studies.compare.entries import Entry, name_of
+from dampen.studies.definition import Definition
+from dampen.studies.engines import Engine
+from dampen.studies.evaluate import Row
+from dampen.studies.lens import get
+from dampen.studies.search import feasible, violation
+from dampen.studies.study import Study, new_study, open_study
+from dampen.studies.variation import member
+from dampen.toml import to_toml
+
+Step = Callable[[], None]
+
+
+class Interrupted(Exception):
+    """The user has had enough: what is finished stays."""
+
+
+@dataclass(frozen=True)
+class Tuned:
+    """A scenario with the gains that were chosen, how many candidates were tried and kept the constraint, what the objective
+    was at the start, and what a reader has to know."""
+
+    scenario: Scenario
+    candidates: int = 0
+    kept: int = 0
+    start: float | None = None
+    notes: tuple[str, ...] = ()
+
+
+def judged(
+    entry: Entry, definition: Definition | None, bench: Bench, folder: Path | None, engine: Engine | None, step: Step
+) -> tuple[Contender, Result]:
+    """A contender's row and run. definition: of its tuning, None: as given.   folder: its own, None: in memory.
+    step: called after each run.   Raises Interrupted."""
+    begun = time.monotonic()
+    tuned = Tuned(entry.scenario) if definition is None else tuned_by(definition, folder, engine, step)
+    result = run(tuned.scenario, bench, folder)
+    step()
+    refined = finer(tuned.scenario)
+    step()
+    names = [path for axis in definition.axes for path in axis.paths] if definition is not None else []
+    ports = tuned.scenario.ports
+    contender = Contender(
+        label=entry.label,
+        kind=name_of(tuned.scenario.controller),
+        source=entry.source,
+        tuned=definition is not None,
+        candidates=tuned.candidates,
+        kept=tuned.kept,
+        start=tuned.start,
+        gains={path.removeprefix("controller."): get(tuned.scenario, path) for path in names},
+        sampled=tuned.scenario.sampled,
+        status=result.status,
+        trials=result.trials,
+        merits=merits(tallied(result)),
+        settling=None,
+        peaks={port: tuple(map(float, error_peaks(result, port))) for port in ports},
+        refined=refined,
+        notes=(*entry.start.notes, *tuned.notes),
+        seconds=time.monotonic() - begun,
+    )
+    return contender, result
+
+
+def tuned_by(definition: Definition, folder: Path | None, engine: Engine | None, step: Step) -> Tuned:
+    """The gains that a tuning finds; one that was interrupted in this folder is gone on with."""
+    study, done = study_of(definition, folder), 0
+
+    def progress(rows: int, *_: Any) -> None:
+        nonlocal done
+        for _row in range(done, rows):
+            step()
+        done = rows
+
+    progress(study.done)
+    study.run(engine, progress)
+    if not study.complete:
+        raise Interrupted
+    rows = list(study.rows.rows)
+    row, notes = chosen(study, definition.objectives[0])
+    kept = sum(map(feasible, rows))
+    found = replace(member(definition.scenario, definition.axes, row), name=f"{definition.scenario.name}-tuned"[:60])
+    start = float(study.rows.by_member[0][definition.objectives[0]])
+    return Tuned(found, len(rows), kept, start if np.isfinite(start) else None, notes)
+
+
+def study_of(definition: Definition, folder: Path | None) -> Study:
+    """The study of a tuning: the one that the contender's folder has of it, or a new one."""
+    place = None if folder is None else folder / "study"
+    if place is not None and (place / "study.toml").exists():
+        there = open_study(place)
+        if there.definition.fingerprint == definition.fingerprint:
+            return there
+        raise ArgumentError(f"Study folder `{place}` must be another one: it holds a study of something else.")
+    return new_study(definition, place)
+
+
+def chosen(study: Study, objective: str) -> tuple[Row, tuple[str, ...]]:
+    """The best row that keeps the constraint; where none does, the one that breaks it least; where none ran, the start."""
+    best = best_row(study, objective)
+    if best is not None:
+        return best, ()
+    ran = [row for row in study.rows.rows if row["status"] in ("complete", "constraint_lost")]
+    if not ran:
+        return study.rows.by_member[0], ("no candidate ran to its end",)
+    sign = -1 if merit(objective).better == "high" else 1
+    least = min(ran, key=lambda row: (row["unsettled"] > 0, violation(row), sign * row[objective], row["member"]))
+    return least, ("no candidate keeps the constraint: the one that breaks it least",)
+
+
+def run(scenario: Scenario, bench: Bench, folder: Path | None) -> Result:
+    """The contender's run, in its folder if it has one. Raises Interrupted."""
+    own = Bench(scenario, bench.modes)  # a kernel with what this law needs, as the tuning had it
+    if folder is None:
+        result = simulate(scenario, bench=own)
+    else:
+        folder.mkdir(parents=True, exist_ok=True)
+        (folder / "scenario.toml").write_text(to_toml(scenario), encoding="utf-8")
+        (folder / "result.nc").unlink(missing_ok=True)  # not written over: an earlier result of it may be open
+        result = simulate(scenario, store=FileStore(folder / "result.nc"), bench=own)
+    if result.status == "interrupted":
+        raise Interrupted
+    return result
+
+
+def finer(scenario: Scenario) -> Refined | None:
+    """The same gains at half the step, on a set of modes of its own that has twice as many, or as many as can be had."""
+    numerics = scenario.numerics
+    output = replace(scenario.output, every=2 * scenario.output.every)
+    for modes in dict.fromkeys((min(2 * numerics.modes, MODES_AT_MOST), numerics.modes)):
+        try:
+            case = replace(scenario, numerics=replace(numerics, modes=modes, step=numerics.step / 2), output=output)
+            bench = Bench(case)
+            tally = alone(case, bench)
+        except ArgumentError:
+            continue
+        return Refined(bench.modes.count, case.numerics.step, tally.status, merits(tally))
+    return None

@@ -1,0 +1,115 @@
+"""Where a contender's gains are searched, and where the search begins."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
+from typing import Any
+
+import numpy as np
+
+from dampen.actuators.backlash import Backlash
+from dampen.component import ArgumentError, parameters
+from dampen.controllers.base import Controller, SampledFeedback
+from dampen.controllers.inner_loop import AssumedBacklash, InnerLoop
+from dampen.simulation.bench import Bench
+from dampen.simulation.scenario import Scenario
+from dampen.simulation.setting import setting_of
+from dampen.studies.lens import get
+
+NO_GAP = 1e-12  # N, N m: a backlash must have some gap to be assumed
+DIGITS = 4
+
+
+@dataclass(frozen=True)
+class Start:
+    """A scenario to begin from, the ranges around it as PATH=RANGE, and what a reader has to know of both."""
+
+    scenario: Scenario
+    search: tuple[str, ...]
+    notes: tuple[str, ...] = ()
+
+
+def under(scenario: Scenario, controller: Controller) -> Scenario:
+    """The experiment under another controller; one that acts through samples alone is given them."""
+    numerics = scenario.numerics
+    if isinstance(controller, SampledFeedback):
+        numerics = replace(numerics, mode="sampled")
+    return replace(scenario, controller=controller, numerics=numerics)
+
+
+def from_kind(scenario: Scenario, kind: type[Controller], bench: Bench) -> Start:
+    """A controller of a kind, its gains in the middle of their ranges. Raises ArgumentError where it cannot be run."""
+    missing = [p.name for p in parameters(kind) if p.required]
+    if missing:
+        raise ArgumentError(f"it has no value for {', '.join(missing)}: name a scenario that has")
+    plain, notes = fitted(kind(), scenario)
+    ranges = ranges_of(under(scenario, plain), bench)
+    tables: dict[str, Any] = {}
+    whole = {p.name for p in parameters(kind) if p.type == "whole number"}
+    for path, text in ranges.items():
+        name, _, key = path.partition(".")
+        value = round(middle(text)) if name in whole else middle(text)
+        tables[name] = {**tables.get(name, {}), key: value} if key else value
+    made = under(scenario, replace(plain, **tables))
+    return Start(made, tuple(f"controller.{path}={text}" for path, text in ranges.items()), notes)
+
+
+def from_controller(scenario: Scenario, bench: Bench) -> Start:
+    """A scenario's own controller, from its own gains on. A range that these are outside of is stretched to them; a gain that
+    it does not have it is not given."""
+    search, without = [], []
+    for path, text in ranges_of(scenario, bench).items():
+        try:
+            own = get(scenario, f"controller.{path}")
+        except ArgumentError:
+            own = None
+        if own is None:
+            without.append(path)
+        else:
+            search.append(f"controller.{path}={stretched(text, float(own))}")
+    notes = (f"not searched, since it has no value of its own: {', '.join(without)}",) if without and search else ()
+    return Start(scenario, tuple(search), notes)
+
+
+def ranges_of(scenario: Scenario, bench: Bench) -> Mapping[str, str]:
+    """What the controller itself says of where its gains may lie."""
+    return scenario.controller.search(setting_of(scenario, bench=bench))
+
+
+def middle(text: str) -> float:
+    """The middle of a range, the geometric one where it is logarithmic, to four digits."""
+    low, high, *log = text.split(":")
+    ends = float(low), float(high)
+    value = math.sqrt(ends[0] * ends[1]) if log else (ends[0] + ends[1]) / 2
+    return float(f"{value:.{DIGITS}g}")
+
+
+def stretched(text: str, own: float) -> str:
+    """A range that has a value in it: its nearer end is moved there. A logarithmic range stays above zero."""
+    low, high, *log = text.split(":")
+    if log and own <= 0:
+        return text
+    ends = min(float(low), own), max(float(high), own)
+    return ":".join([low if ends[0] == float(low) else repr(ends[0]), high if ends[1] == float(high) else repr(ends[1]), *log])
+
+
+def fitted(controller: Controller, scenario: Scenario) -> tuple[Controller, tuple[str, ...]]:
+    """A controller whose defaults are meant for another plant, told what this one has: the inner loop's barrier needs a
+    constraint at every port, and what it assumes of backlash is what is there."""
+    if not isinstance(controller, InnerLoop):
+        return controller, ()
+    notes = []
+    unlimited = [port for port in scenario.ports if port not in scenario.task.constraint]
+    if unlimited:
+        controller = replace(controller, barrier="none")
+        notes.append(f"without a barrier, since {', '.join(unlimited)} has no constraint")
+    plays = [stage for port in scenario.ports for stage in scenario.actuators.get(port, ()) if isinstance(stage, Backlash)]
+    if plays and not any(scenario.compensation.values()):
+        assumed = AssumedBacklash(*(float(np.mean([getattr(p, name) for p in plays])) for name in ("slope", "right", "left")))
+    else:
+        assumed = AssumedBacklash(slope=1.0, right=NO_GAP, left=0.0)
+        why = "the scenario has one" if plays else "there is no backlash"
+        notes.append(f"without compensation of its own, since {why}")
+    return replace(controller, assumed_backlash=assumed, compensate=assumed.left < 0), tuple(notes)

@@ -1,0 +1,326 @@
+"""Comparisons: everybody on the same terms, the table as the saved runs have it, nothing claimed that numbers do not carry."""
+
+from __future__ import annotations
+
+import json
+import signal
+import subprocess
+import sys
+import time
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import dampen
+from dampen.analysis.merits import merits, rooms
+from dampen.analysis.metrics import error_peaks, error_rms, settling_trial
+from dampen.analysis.sampling_cost import chatter, effort, margin
+from dampen.analysis.tallied import tallied
+from dampen.cli import main
+from dampen.controllers.scales import scales
+from dampen.report.compare.page import write_comparison
+from dampen.report.compare.tables import table
+from dampen.scenarios.kinds import KINDS
+from dampen.scenarios.read import shipped
+from dampen.simulation.batch import alone
+from dampen.simulation.bench import Bench
+from dampen.simulation.setting import setting_of
+from dampen.studies.compare.api import Plan, open_comparison
+from dampen.studies.compare.comparison import Comparison, Contender, Refined, from_json
+from dampen.studies.compare.ranges import from_controller, from_kind, middle, stretched
+from dampen.studies.compare.verdict import front, verdict
+from dampen.studies.engines import Here
+from dampen.studies.study import open_study
+from dampen.studies.variation import read_axis
+from tests.conftest import scenario
+
+SHORT = ("task.trials=3", "task.trial_duration=0.5", "numerics.modes=12", "numerics.step=0.002", "sampling.period=0.002",
+         "output.every=50")  # fmt: skip
+ARM = ("task.trials=3", "numerics.modes=6", "numerics.step=0.002", "sampling.period=0.002",
+         "output.every=50")  # fmt: skip
+SETTINGS = [part for setting in SHORT for part in ("--set", setting)]
+BUDGET = 6
+
+
+@pytest.fixture(scope="module")
+def compared(tmp_path_factory: pytest.TempPathFactory) -> tuple[Comparison, Path]:
+    """A small comparison in a folder: kinds, another scenario, one through samples, one as given."""
+    folder = tmp_path_factory.mktemp("compared") / "out"
+    contenders = ["boundary-damping", "lqg", "none", "he2017-tuned-direct"]
+    short = scenario(*SHORT)
+    other = dampen.read_scenario("he2017-tuned-direct", SHORT)
+    found = dampen.compare(
+        short, [*contenders[:3], other], budget=BUDGET, as_given=["he2017-tuned-direct"], folder=folder, engine=Here()
+    )
+    return found, folder
+
+
+def test_the_table_s_numbers_are_those_of_the_saved_runs(compared: tuple[Comparison, Path]) -> None:
+    found, folder = compared
+    assert [c.label for c in found.contenders] == ["dual-loop-ailc", "boundary-damping", "lqg", "none", "he2017-tuned-direct"]
+    for c in found.contenders:
+        run = dampen.load(folder / c.label / "result.nc")
+        np.testing.assert_equal(c.merits, merits(tallied(run)))
+        again = merits(alone(run.scenario, Bench(run.scenario)))
+        np.testing.assert_allclose(list(c.merits.values()), list(again.values()), rtol=1e-12, atol=1e-15)
+        limits = np.array(list(found.thresholds.values()))
+        assert c.settling == settling_trial(np.column_stack([error_peaks(run, p) for p in found.counted]), limits)
+        for port in run.scenario.ports:
+            assert c.merits[f"residual.{port}"] == pytest.approx(np.sqrt(np.mean(error_rms(run, port) ** 2)))
+            assert c.merits[f"chatter.{port}"] == pytest.approx(chatter(run, port))
+            assert c.merits[f"effort.{port}"] == pytest.approx(effort(run, port))
+            assert c.merits[f"margin.{port}"] == pytest.approx(margin(run, port))
+            assert c.peaks[port] == tuple(error_peaks(run, port))
+    assert found.thresholds == {p: 0.05 * r for p, r in zip(("tip_w", "tip_phi"), rooms(scenario(*SHORT)), strict=True)}
+
+
+def test_everybody_gets_the_same_budget_seed_and_objective_or_says_so(compared: tuple[Comparison, Path]) -> None:
+    found, folder = compared
+    tuned = {c.label: c.tuned for c in found.contenders}
+    assert tuned == {"dual-loop-ailc": True, "boundary-damping": True, "lqg": True, "none": False, "he2017-tuned-direct": False}
+    for c in found.contenders:
+        if c.tuned:
+            study = open_study(folder / c.label / "study")
+            definition = study.definition
+            assert (definition.budget, definition.seed, definition.objectives) == (BUDGET, 0, ("residual",))
+            assert study.done == c.candidates == BUDGET
+            first = study.table.iloc[0]
+            assert c.start == first["residual"]
+            for axis in definition.axes:
+                assert first[axis.name] == pytest.approx(dampen.studies.lens.get(definition.scenario, axis.name))
+            assert c.merits["residual"] == pytest.approx(study.table["residual"][study.table["status"] == "complete"].min())
+        else:
+            assert (c.candidates, c.start) == (0, None)
+    rows = {row[0]: row[1] for row in table(found)[1]}
+    assert rows["boundary-damping"] == f"tuned, {BUDGET}"
+    assert rows["he2017-tuned-direct"] == "as given"
+    assert rows["lqg"].startswith(f"tuned, {BUDGET}; through samples")
+
+
+def test_a_law_that_needs_samples_has_them_and_everything_else_is_shared(compared: tuple[Comparison, Path]) -> None:
+    found, folder = compared
+    short = scenario(*SHORT)
+    for c in found.contenders:
+        run = dampen.load(folder / c.label / "result.nc").scenario
+        assert c.sampled == run.sampled == (c.label == "lqg")
+        for name in ("plant", "disturbance", "task", "bounds", "actuators", "compensation", "sampling"):
+            assert getattr(run, name) == getattr(short, name)
+        assert replace(run.numerics, mode="continuous") == short.numerics
+
+
+def test_finer_numerics_are_a_fresh_run_of_the_same_gains(compared: tuple[Comparison, Path]) -> None:
+    found, folder = compared
+    c = found["boundary-damping"]
+    case = dampen.load(folder / c.label / "result.nc").scenario
+    fine = replace(case, numerics=replace(case.numerics, modes=24, step=0.001), output=replace(case.output, every=100))
+    assert c.refined is not None
+    assert (c.refined.modes, c.refined.step) == (24, 0.001)
+    assert c.refined.merits == merits(alone(fine, Bench(fine)))
+
+
+def test_what_is_written_is_read_back(compared: tuple[Comparison, Path]) -> None:
+    found, folder = compared
+    text = (folder / "audit.json").read_text()
+    assert "NaN" not in text
+    np.testing.assert_equal(from_json(text), replace(found, results={}))
+    assert json.loads(text)["comparison"]["contenders"][0]["label"] == "dual-loop-ailc"
+    assert list(found.table.index) == [c.label for c in found.contenders]
+
+
+def test_the_page_stands_alone_and_says_the_verdict(compared: tuple[Comparison, Path], tmp_path: Path) -> None:
+    found, folder = compared
+    np.testing.assert_equal(replace(open_comparison(folder), results={}), replace(found, results={}))
+    page = write_comparison(tmp_path, open_comparison(folder)).read_text()
+    assert "http://" not in page.replace("http://www.w3.org", "")
+    assert found.verdict[0].split(":")[0] in page
+    assert {p.name for p in (tmp_path / "figures").iterdir()} == {
+        f"{name}.{kind}" for name in ("learning", "last-trial", "pareto") for kind in ("png", "svg")
+    }
+
+
+def test_the_same_command_goes_on_where_it_was_interrupted(tmp_path: Path) -> None:
+    short, folder = scenario(*SHORT), tmp_path / "out"
+
+    def compare(progress: object = None) -> Comparison:
+        return dampen.compare(short, ["boundary-damping"], budget=5, folder=folder, engine=Here(), progress=progress)  # type: ignore[arg-type]
+
+    def stop(label: str, done: int, runs: int) -> None:
+        if label == "boundary-damping" and done == 9:
+            raise KeyboardInterrupt
+
+    part = compare(stop)
+    assert not part.complete
+    assert [c.label for c in part.contenders] == ["dual-loop-ailc"]
+    there = from_json((folder / "audit.json").read_text())
+    assert not there.complete
+    assert dampen.load(folder / "dual-loop-ailc" / "result.nc").status == "complete"
+    whole = compare()
+    assert whole.complete
+    fresh = dampen.compare(short, ["boundary-damping"], budget=5, engine=Here())
+    for one, other in zip(whole.contenders, fresh.contenders, strict=True):
+        np.testing.assert_equal(replace(one, seconds=0.0), replace(other, seconds=0.0))
+    with pytest.raises(dampen.ArgumentError, match="holds a comparison of something else"):
+        dampen.compare(short, ["none"], budget=5, folder=folder, engine=Here())
+
+
+def test_ctrl_c_leaves_what_is_finished(tmp_path: Path) -> None:
+    out = tmp_path / "out"
+    command = [sys.executable, "-m", "dampen.cli", "compare", "he2017", "none", "--budget", "100000", "--as-given", "he2017"]
+    command += ["boundary-damping", *SETTINGS, "--out", str(out), "--workers", "1", "--no-report"]
+    with subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True) as process:
+        end = time.monotonic() + 50
+        while time.monotonic() < end and not list(out.glob("boundary-damping/study/rows/part-*.parquet")):
+            time.sleep(0.1)
+        process.send_signal(signal.SIGINT)
+        stdout, stderr = process.communicate(timeout=30)
+    assert process.returncode == 3, stderr
+    assert "2 of 3 contenders are done" in stderr
+    assert "Traceback" not in stderr
+    assert "dual-loop-ailc" in stdout
+    found = from_json((out / "audit.json").read_text())
+    assert [c.label for c in found.contenders] == ["dual-loop-ailc", "none"]
+    assert open_study(out / "boundary-damping" / "study").done > 0
+
+
+REFUSED = {
+    ("string-tip-mass",): "Contender `string-tip-mass` must be the same experiment as `he2017` under another controller, but "
+    "differs in plant, disturbance, task, bounds, actuator.",
+    ("he2017-hysteresis",): "Contender `he2017-hysteresis` must be the same experiment as `he2017` under another controller, but "
+    "differs in actuator, compensation.",
+    ("open-loop",): "Contender `open-loop` cannot be run here: it has no commands: name a scenario that has.",
+    ("boundary-dampin",): "Contender `boundary-dampin` is no kind of controller, no scenario and no file; did you mean",
+    ("nowhere.toml",): "Scenario file `nowhere.toml` cannot be read",
+    ("none", "--as-given", "nobody"): "Option `--as-given` must name a contender, but names 'nobody'; known here",
+    ("none", "--objective", "peek"): "Argument `objective` must be a figure of merit, but is 'peek'; did you mean `peak`?",
+    ("none", "--set", "numerics.step=0.3"): "Argument `numerics.step` must",
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("arguments", list(REFUSED))
+def test_bad_input_is_one_line_and_leaves_nothing(
+    arguments: tuple[str, ...], tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    settings = SETTINGS if len(arguments) > 1 else []
+    monkeypatch.chdir(tmp_path)
+    monkeypatch.setattr(sys, "argv", ["dampen", "compare", "he2017", *settings, *arguments])
+    with pytest.raises(SystemExit) as left:
+        main()
+    told = capsys.readouterr().err
+    assert left.value.code == 2
+    assert told.startswith(REFUSED[arguments])
+    assert len(told.splitlines()) == 1
+    assert not list(tmp_path.iterdir())
+
+
+def test_as_given_means_the_contender_so_labelled() -> None:
+    short = scenario(*SHORT)
+    plan = Plan(short, [short, "none"], 5, "residual", 0, ("he2017",))
+    assert [e.label for e in plan.entries] == ["dual-loop-ailc", "he2017", "none"]
+    assert {label: bool(found) for label, found in plan.definitions.items()} == {"dual-loop-ailc": True, "none": False}
+    assert set(Plan(short, ["none"], 5, "residual", 0, ("he2017",)).definitions) == {"none"}
+
+
+def test_without_a_budget_everybody_is_as_given_and_the_table_says_so(tmp_path: Path) -> None:
+    found = dampen.compare(
+        scenario(*SHORT), ["boundary-damping", dampen.PTypeILC(damping={"tip_w": 1.0, "tip_phi": 1.0})], budget=0, engine=Here()
+    )
+    assert [row[1].partition(";")[0] for row in table(found)[1]] == ["as given", "middle of its ranges", "as given"]
+    assert not any(c.tuned for c in found.contenders)
+
+
+def test_contenders_that_cannot_be_run_are_left_out_with_the_reason() -> None:
+    plan = Plan(dampen.read_scenario("string-tip-mass", SHORT), None, 0, "residual", 0, ())
+    assert {e.label for e in plan.entries} == {
+        "boundary-damping", "none", "p-type-ilc", "pd-type-ilc", "norm-optimal-ilc", "lqg",
+    }  # fmt: skip
+    assert set(plan.left_out) == {"open-loop", "adaptive-boundary", "dual-loop-ailc"}
+    assert plan.left_out["dual-loop-ailc"].startswith("Argument `bounds.f` must be given")
+
+
+CASES = {name: ARM if name.startswith("flexible") else (*SHORT[0:1], "numerics.modes=12") for name in shipped()}
+
+
+@pytest.mark.parametrize("name", list(CASES))
+def test_every_controller_s_ranges_fit_every_plant(name: str) -> None:
+    case = dampen.read_scenario(name, CASES[name])
+    bench = Bench(case)
+    tried = 0
+    for kind in KINDS["controller"]:
+        try:
+            start = from_kind(case, kind, bench)  # type: ignore[arg-type]
+        except dampen.ArgumentError as error:
+            assert "bounds" in error.lines[0]
+            continue
+        for text in start.search:
+            axis = read_axis("search", text, start.scenario)  # both ends are tried on the scenario
+            own = dampen.studies.lens.get(start.scenario, axis.paths[0])
+            assert axis.low <= own <= axis.high
+        assert bool(start.search) == (kind.kind not in ("none", "open-loop"))
+        absent = [p for p in case.ports if any(isinstance(s, dampen.Absent) for s in case.actuators.get(p, ()))]
+        assert not [
+            t for t in start.search for p in absent if t.startswith((f"controller.damping.{p}", f"controller.learning.{p}"))
+        ]
+        tried += 1
+    assert tried >= 6
+    assert from_controller(case, bench).scenario == case
+
+
+def test_the_impedance_of_a_string_is_that_of_an_endless_one() -> None:
+    string = dampen.String(length=3.0, mass_per_length=0.7, tension=50.0, tip_mass=0.0)
+    case = dampen.read_scenario("string-tip-mass", SHORT)
+    case = replace(case, plant=string, disturbance=dampen.NoDisturbance())
+    (found,) = scales(setting_of(case))
+    assert found.impedance == pytest.approx(np.sqrt(50.0 * 0.7), rel=1e-3)
+    assert found.stiffness == pytest.approx(50.0 / 3.0, rel=0.05)
+    assert found.room == pytest.approx(0.15)
+
+
+def test_ranges_have_middles_and_are_stretched_to_what_a_scenario_has() -> None:
+    assert middle("0.01:100:log") == 1.0
+    assert middle("0:0.5") == 0.25
+    assert stretched("0.01:100:log", 1000.0) == "0.01:1000.0:log"
+    assert stretched("0.01:100:log", 0.0) == "0.01:100:log"
+    assert stretched("0:0.5", 0.7) == "0:0.7"
+
+
+def contender(label: str, residual: float, fine: float, effort: float, status: str = "complete") -> Contender:
+    figures = {"residual": residual, "effort": effort, "unsettled": 0.0}
+    refined = Refined(24, 1e-3, status, {**figures, "residual": fine})
+    return Contender(label, label, "kind", True, 5, 5, None, {}, False, status, 3, figures, None, {}, refined, (), 0.0)
+
+
+def test_the_verdict_is_what_both_numerics_carry() -> None:
+    short = scenario(*SHORT)
+    own, better, near = (
+        contender("own", 2e-2, 3e-2, 1.0),
+        contender("better", 1e-2, 0.9e-2, 2.0),
+        contender("near", 1.5e-2, 2.5e-2, 3.0),
+    )
+    lost = contender("lost", 1e-3, 1e-3, 0.1, "constraint_lost")
+    sentences = verdict(short, [own, better, near, lost], "residual")
+    assert sentences[0] == "Best in residual as a share of the constraint: better, 1 % (0.9 % at 24 modes and 1 ms)."
+    assert sentences[1] == "own loses in residual (2 %) to better (1 %, by a factor of at least 2)."
+    assert sentences[2] == "own is not told apart from near: the numerics do not carry the difference."
+    assert not any(sentence.startswith("near") for sentence in sentences)
+    paper = replace(near, kind="dual-loop-ailc")
+    assert "near loses in residual (1.5 %) to better (1 %, by a factor of at least 1.5)." in verdict(
+        short, [own, better, paper], "residual"
+    )
+    assert "lost does not hold the constraint, and is not ranked." in sentences
+    assert [c.label for c in front([own, better, near], "residual")] == ["own", "better"]
+    fragile_here = replace(lost, status="complete", merits={**lost.merits})
+    assert verdict(short, [own, fragile_here], "residual", 7)[0].startswith("With 7 candidates for each that is tuned: best in")
+    assert verdict(short, [own, fragile_here], "residual")[-1] == (
+        "lost holds the constraint here, but not at 24 modes and 1 ms, and is not ranked."
+    )
+    fragile = verdict(short, [contender("own", 1e-4, 1e-2, 1.0)], "residual")
+    assert fragile[-1].startswith("own: its gains are tuned to their numerics, its residual is 0.01 % here, but 1 % at 24 modes")
+
+
+def test_settling_is_from_the_last_time_outside() -> None:
+    errors = np.array([[3.0, 0.0], [0.5, 0.0], [2.0, 0.0], [0.5, 9.0], [0.5, 9.0]])
+    assert settling_trial(errors, np.array([1.0, np.inf])) == 3
+    assert settling_trial(errors, np.array([1.0, 1.0])) is None
+    assert settling_trial(errors, np.array([5.0, 10.0])) == 0
