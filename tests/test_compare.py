@@ -10,6 +10,7 @@ import time
 from dataclasses import replace
 from pathlib import Path
 
+import jsonschema
 import numpy as np
 import pytest
 
@@ -28,10 +29,11 @@ from dampen.simulation.batch import alone
 from dampen.simulation.bench import Bench
 from dampen.simulation.setting import setting_of
 from dampen.studies.compare.api import Plan, open_comparison
-from dampen.studies.compare.comparison import Comparison, Contender, Refined, from_json
+from dampen.studies.compare.comparison import Comparison, Contender, Refined, from_plain
 from dampen.studies.compare.ranges import from_controller, from_kind, middle, stretched
 from dampen.studies.compare.verdict import front, verdict
 from dampen.studies.engines import Here
+from dampen.studies.record import schema
 from dampen.studies.study import open_study
 from dampen.studies.variation import read_axis
 from tests.conftest import scenario
@@ -124,7 +126,8 @@ def test_what_is_written_is_read_back(compared: tuple[Comparison, Path]) -> None
     found, folder = compared
     text = (folder / "audit.json").read_text()
     assert "NaN" not in text
-    np.testing.assert_equal(from_json(text), replace(found, results={}))
+    jsonschema.Draft202012Validator(schema()).validate(json.loads(text))
+    np.testing.assert_equal(from_plain(json.loads(text)["comparison"]), replace(found, results={}))
     assert json.loads(text)["comparison"]["contenders"][0]["label"] == "dual-loop-ailc"
     assert list(found.table.index) == [c.label for c in found.contenders]
 
@@ -153,7 +156,7 @@ def test_the_same_command_goes_on_where_it_was_interrupted(tmp_path: Path) -> No
     part = compare(stop)
     assert not part.complete
     assert [c.label for c in part.contenders] == ["dual-loop-ailc"]
-    there = from_json((folder / "audit.json").read_text())
+    there = from_plain(json.loads((folder / "audit.json").read_text())["comparison"])
     assert not there.complete
     assert dampen.load(folder / "dual-loop-ailc" / "result.nc").status == "complete"
     whole = compare()
@@ -179,7 +182,7 @@ def test_ctrl_c_leaves_what_is_finished(tmp_path: Path) -> None:
     assert "2 of 3 contenders are done" in stderr
     assert "Traceback" not in stderr
     assert "dual-loop-ailc" in stdout
-    found = from_json((out / "audit.json").read_text())
+    found = from_plain(json.loads((out / "audit.json").read_text())["comparison"])
     assert [c.label for c in found.contenders] == ["dual-loop-ailc", "none"]
     assert open_study(out / "boundary-damping" / "study").done > 0
 

@@ -21,8 +21,8 @@ app = typer.Typer(
     help="Design, simulate, check and tune boundary control and iterative learning control of vibrating structures.\n\n"
     "Begin with `dampen run he2017`: the experiment of He et al. 2017, with and without control, its figures and a verdict on "
     "each of its claims. Then `dampen show he2017 > mine.toml`, change it, and `dampen run mine.toml`.\n\n"
-    "`dampen audit he2017` says what holds in it, what does not and why, and what each part of the law is worth; `dampen limit` how "
-    "far it is from the best possible.\n\n"
+    "`dampen audit he2017` says what holds in it, what does not and why, and what each part of the law is worth; `dampen limit` "
+    "how far it is from the best possible.\n\n"
     "One run proves little: `dampen compare` holds controllers against each other, and `sweep`, `robust` and `tune` make "
     "thousands of runs.",
 )

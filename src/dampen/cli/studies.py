@@ -128,10 +128,10 @@ def resume(
 
 def plot(folder: FolderArgument) -> None:
     """`dampen plot`."""
-    from dampen.studies.compare.api import AUDIT
+    from dampen.studies.compare.api import DEFINITION
     from dampen.studies.study import open_study
 
-    if (folder / AUDIT).exists():
+    if (folder / DEFINITION).exists():
         from dampen.report.compare.page import write_comparison
         from dampen.studies.compare.api import open_comparison
 

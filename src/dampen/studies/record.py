@@ -14,11 +14,13 @@ from dampen.analysis.limit.curve import Limit
 from dampen.analysis.limit.standing import Standing
 from dampen.component import ArgumentError
 from dampen.simulation.scenario import Scenario
+from dampen.studies.compare.comparison import Comparison
 from dampen.toml import to_toml
 from dampen.version import version
 
 SCHEMA = "dampen-audit/1"
 FILE = "audit.json"
+RUNS = {"comparison": {"results"}}  # which are files of their own
 
 
 @dataclass(frozen=True)
@@ -37,6 +39,7 @@ class Record:
     credit: Credit | None = None
     limits: tuple[Limit, ...] = ()
     standings: tuple[Standing, ...] = ()
+    comparison: Comparison | None = None
 
 
 def record(scenario: Scenario, **parts: Any) -> Record:
@@ -56,13 +59,15 @@ def write_record(folder: Path, found: Record) -> Path:
 
 def plain(found: Record) -> dict[str, Any]:
     """The record as JSON has it."""
-    values: dict[str, Any] = json.loads(_adapter().dump_json(found))
+    values: dict[str, Any] = json.loads(_adapter().dump_json(found, exclude=RUNS))
     return values
 
 
 def schema() -> dict[str, Any]:
     """The JSON Schema of audit.json."""
-    return {"$schema": "https://json-schema.org/draft/2020-12/schema", **_or_null(_adapter().json_schema(mode="serialization"))}
+    found = _or_null(_adapter().json_schema(mode="serialization"))
+    del found["$defs"]["Comparison"]["properties"]["results"]
+    return {"$schema": "https://json-schema.org/draft/2020-12/schema", **found}
 
 
 @cache

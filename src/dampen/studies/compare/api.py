@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 from collections.abc import Callable, Sequence
 from dataclasses import replace
 from pathlib import Path
@@ -12,18 +13,19 @@ from dampen.scenarios.results import load
 from dampen.simulation.bench import Bench
 from dampen.simulation.scenario import Scenario
 from dampen.studies.api import engine_of, home_of
-from dampen.studies.compare.comparison import Comparison, Contender, from_json, to_json
+from dampen.studies.compare.comparison import Comparison, Contender, from_plain
 from dampen.studies.compare.entries import Entry, Given, entries_of
 from dampen.studies.compare.judge import Interrupted, judged
 from dampen.studies.compare.settle import counted_ports, settled, thresholds
 from dampen.studies.compare.verdict import verdict
 from dampen.studies.definition import Definition, check_objectives, tune_of, whole
 from dampen.studies.engines import Engine
+from dampen.studies.record import FILE, record, write_record
 from dampen.toml import literal, to_toml
 from dampen.version import version
 
 Progress = Callable[[str, int, int], None]
-AUDIT, DEFINITION = "audit.json", "compare.toml"
+DEFINITION = "compare.toml"
 
 
 def compare(
@@ -64,10 +66,10 @@ def open_comparison(folder: str | Path) -> Comparison:
     """The comparison that a folder holds, with its runs. Raises ArgumentError for any other folder."""
     folder = Path(folder)
     try:
-        found = from_json((folder / AUDIT).read_text(encoding="utf-8"))
+        found = from_plain(json.loads((folder / FILE).read_text(encoding="utf-8"))["comparison"])
     except (OSError, ValueError, KeyError, TypeError) as error:
         reason = error.strerror if isinstance(error, OSError) else "it is not one of dampen's"
-        raise ArgumentError(f"Comparison `{folder / AUDIT}` cannot be read: {reason}.") from None
+        raise ArgumentError(f"Comparison `{folder / FILE}` cannot be read: {reason}.") from None
     return replace(found, results={one.label: load(folder / one.label / "result.nc") for one in found.contenders})
 
 
@@ -119,7 +121,7 @@ class Plan:
             results[entry.label] = result
             found = self._comparison(done, results)
             if folder is not None:
-                (folder / AUDIT).write_text(to_json(found), encoding="utf-8")
+                write_record(folder, record(self.scenario, comparison=found))
         return found
 
     def _named(self, name: str) -> list[str]:

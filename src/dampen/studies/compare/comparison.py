@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import Any
@@ -107,19 +106,10 @@ class Comparison:
         return pandas.DataFrame(rows, index=pandas.Index([c.label for c in self.contenders], name="contender"))
 
 
-def to_json(comparison: Comparison) -> str:
-    """The comparison as JSON, under the key "comparison"; the runs themselves are beside it in files. nan is null."""
+def from_plain(table: dict[str, Any]) -> Comparison:
+    """A comparison read back from what JSON has of it, without its runs. Raises ValueError for anything else."""
     from pydantic import TypeAdapter
 
-    text = TypeAdapter(Comparison).dump_json(comparison, exclude={"results"})
-    return json.dumps({"comparison": json.loads(text)}, indent=1, ensure_ascii=False) + "\n"
-
-
-def from_json(text: str) -> Comparison:
-    """A comparison read back, without its runs. Raises ValueError for any other text."""
-    from pydantic import TypeAdapter
-
-    table = json.loads(text)["comparison"]
     for contender in table["contenders"]:
         for merits in (contender["merits"], (contender["refined"] or {}).get("merits", {})):
             merits |= {name: float("nan") for name, value in merits.items() if value is None}
