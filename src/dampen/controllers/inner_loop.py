@@ -10,7 +10,7 @@ import numpy as np
 from annotated_types import Ge, Gt, Le, Unit
 from typing_extensions import Doc
 
-from dampen.component import Component, check_order
+from dampen.component import Component
 from dampen.controllers.base import Array, Assumption, Controller, Memory, PortLaw, Setting, total
 from dampen.controllers.scales import PortScale, scales, span
 from dampen.port import Port
@@ -24,9 +24,6 @@ class AssumedBacklash(Component):
     slope: Annotated[float, Gt(0), Doc("slope m")] = 0.3
     right: Annotated[float, Ge(0), Unit("N"), Doc("right end of the gap B_r (N m at a torque port)")] = 0.1
     left: Annotated[float, Le(0), Unit("N"), Doc("left end of the gap B_l (N m at a torque port)")] = -0.2
-
-    def check(self) -> None:
-        check_order("left", self.left, "right", self.right)
 
     @property
     def width(self) -> float:

@@ -7,11 +7,12 @@ from collections.abc import Iterator
 import numpy as np
 
 from dampen.analysis.audit.finding import Finding, Quantity
+from dampen.analysis.merits import LATE
 from dampen.analysis.metrics import fraction_of_limit, largest
 from dampen.simulation.result import Result
 
 Array = np.ndarray
-GROWTH, LATE, FEWEST = 1.05, 5, 10
+GROWTH, FEWEST = 1.05, 10
 SIGNALS = ("y", "v", "command", "delivered")
 
 

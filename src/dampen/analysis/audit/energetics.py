@@ -8,6 +8,7 @@ import numpy as np
 
 from dampen.analysis.audit.finding import Finding, Quantity, Values
 from dampen.analysis.energy import EnergyAccount, energy_account
+from dampen.analysis.merits import LATE
 from dampen.gauss import gauss_legendre
 from dampen.modal import propagator
 from dampen.simulation.bench import Bench
@@ -15,7 +16,6 @@ from dampen.simulation.result import Result
 
 Array = np.ndarray
 ROUND_OFF = 1e-11
-LATE = 5
 FEED = 1e-9  # of the largest energy: less is no gift
 
 

@@ -7,11 +7,11 @@ from dataclasses import dataclass
 import numpy as np
 
 from dampen.analysis.audit.energetics import given_by_control
+from dampen.analysis.merits import LATE
 from dampen.simulation.bench import Bench
 from dampen.simulation.result import Result
 
 Array = np.ndarray
-LATE = 5
 
 
 @dataclass(frozen=True)

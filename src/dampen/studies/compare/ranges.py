@@ -18,7 +18,6 @@ from dampen.simulation.scenario import Scenario
 from dampen.simulation.setting import setting_of
 from dampen.studies.lens import get
 
-NO_GAP = 1e-12  # N, N m: a backlash must have some gap to be assumed
 DIGITS = 4
 
 
@@ -109,7 +108,7 @@ def fitted(controller: Controller, scenario: Scenario) -> tuple[Controller, tupl
     if plays and not any(scenario.compensation.values()):
         assumed = AssumedBacklash(*(float(np.mean([getattr(p, name) for p in plays])) for name in ("slope", "right", "left")))
     else:
-        assumed = AssumedBacklash(slope=1.0, right=NO_GAP, left=0.0)
+        assumed = AssumedBacklash(slope=1.0, right=0.0, left=0.0)
         why = "the scenario has one" if plays else "there is no backlash"
         notes.append(f"without compensation of its own, since {why}")
     return replace(controller, assumed_backlash=assumed, compensate=assumed.left < 0), tuple(notes)
