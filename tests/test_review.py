@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import json
 import re
+import subprocess
+import sys
 from html import unescape
 from pathlib import Path
 
@@ -105,3 +107,39 @@ def test_a_run_alone_is_audited_without_further_runs(tmp_path: Path) -> None:
     written = json.loads((tmp_path / "runs" / "he2017" / FILE).read_text(encoding="utf-8"))
     assert {finding["section"] for finding in written["audit"]["findings"]} >= {"energy", "assumptions", "boundedness"}
     assert "resolution" not in {finding["section"] for finding in written["audit"]["findings"]}
+
+
+def test_limit_from_the_command_line(tmp_path: Path) -> None:
+    done = dampen_command("limit", "he2017", *SHORT, "--of", "phi", cwd=tmp_path)
+    assert done.returncode == 0, done.stderr
+    folder = tmp_path / "runs" / "he2017-limit"
+    written = json.loads((folder / FILE).read_text(encoding="utf-8"))
+    jsonschema.Draft202012Validator(schema()).validate(written)
+    (limit,), (at,) = written["limits"], written["standings"]
+    assert (limit["of"], at["of"], at["below"]) == ("phi", "phi", False)
+    assert "not bound" in done.stdout
+    assert (folder / "figures" / "limit_phi.svg").exists()
+    assert "The limit" in (folder / "report.html").read_text(encoding="utf-8")
+
+
+def test_an_interrupted_review_keeps_what_it_has_and_says_so(tmp_path: Path) -> None:
+    """Ctrl-C while the limit of phi is looked for: the run and the limit of w are there, and the exit status is 3."""
+    program = (
+        "import sys\n"
+        "from dampen.analysis.limit import curve\n"
+        "from dampen.cli import main\n"
+        "whole = curve.limit\n"
+        "def limit(scenario, of, **others):\n"
+        "    if of == 'phi':\n"
+        "        raise KeyboardInterrupt\n"
+        "    return whole(scenario, of, **others)\n"
+        "curve.limit = limit\n"
+        f"sys.argv = ['dampen', 'limit', 'he2017', *{SHORT!r}, '--no-report', '--out', 'here']\n"
+        "main()\n"
+    )
+    done = subprocess.run([sys.executable, "-c", program], cwd=tmp_path, capture_output=True, text=True, timeout=300)
+    assert done.returncode == 3, done.stderr
+    assert "interrupted" in done.stderr
+    written = json.loads((tmp_path / "here" / FILE).read_text(encoding="utf-8"))
+    assert [limit["of"] for limit in written["limits"]] == ["w"]
+    assert dampen.load(tmp_path / "here" / "result.nc").trials == 3

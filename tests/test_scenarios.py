@@ -145,7 +145,7 @@ def test_run_writes_everything_and_says_where(tmp_path: Path) -> None:
     assert done.returncode == 0, done.stderr
     folder = tmp_path / "here"
     names = {p.name for p in folder.iterdir()}
-    assert names == {"result.nc", "uncontrolled.nc", "scenario.toml", "figures", "report.html"}
+    assert names == {"result.nc", "uncontrolled.nc", "scenario.toml", "audit.json", "figures", "report.html"}
     drawn = {p.name for p in (folder / "figures").iterdir()}
     assert drawn >= {f"fig{i:02}.{ext}" for i in range(5, 17) for ext in ("png", "svg")}
     assert "report.html" in done.stdout

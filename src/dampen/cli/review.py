@@ -1,4 +1,4 @@
-"""`dampen audit` and `dampen credit`: what holds in a run, what does not, and what each part of it is worth."""
+"""`dampen audit`, `credit` and `limit`: what holds in a run, what does not, and what each part of it is worth."""
 
 from __future__ import annotations
 
@@ -12,6 +12,8 @@ from dampen.cli.run import OutOption, ReportOption, finish, perform
 from dampen.cli.terminal import ScenarioArgument, SetOption, err, out, show_table, working
 
 if TYPE_CHECKING:
+    from dampen.analysis.limit.curve import Limit
+    from dampen.analysis.limit.standing import Standing
     from dampen.simulation.bench import Bench
     from dampen.simulation.result import Result
     from dampen.studies.record import Record
@@ -48,7 +50,7 @@ def audit(
     from dampen.report.review.tables import audit_rows
     from dampen.report.review.words import sentence
 
-    def reviewed(bench: Bench, result: Result) -> Record:
+    def reviewed(bench: Bench, result: Result) -> tuple[Record, bool]:
         return review(bench, result, refine=True, credit=with_credit, of=() if with_limit else None)
 
     done = perform(scenario, set_, folder, report, purpose="audit", review=reviewed)
@@ -75,7 +77,7 @@ def limit(
 
     check_measures(read_scenario(scenario, set_ or ()), of or ())
 
-    def reviewed(bench: Bench, result: Result) -> Record:
+    def reviewed(bench: Bench, result: Result) -> tuple[Record, bool]:
         return review(bench, result, refine=None, of=of or ())
 
     done = perform(scenario, set_, folder, report, purpose="limit", review=reviewed)
@@ -90,7 +92,7 @@ def credit(scenario: ScenarioArgument, set_: SetOption = None, folder: OutOption
 
     refuse_without_control(read_scenario(scenario, set_ or ()))
 
-    def reviewed(bench: Bench, result: Result) -> Record:
+    def reviewed(bench: Bench, result: Result) -> tuple[Record, bool]:
         return review(bench, result, refine=None, credit=True)
 
     done = perform(scenario, set_, folder, report, purpose="credit", review=reviewed)
@@ -98,8 +100,10 @@ def credit(scenario: ScenarioArgument, set_: SetOption = None, folder: OutOption
     finish(done)
 
 
-def review(bench: Bench, result: Result, refine: bool | None, credit: bool = False, of: Sequence[str] | None = None) -> Record:
-    """The parts of a review that are asked for, as far as they get before Ctrl-C.
+def review(
+    bench: Bench, result: Result, refine: bool | None, credit: bool = False, of: Sequence[str] | None = None
+) -> tuple[Record, bool]:
+    """The parts of a review that are asked for, as far as they get before Ctrl-C, and whether they are all there.
 
     refine: None: no audit at all.   of: measures of the limit; empty: the usual ones, None: no limit.
     """
@@ -109,6 +113,7 @@ def review(bench: Bench, result: Result, refine: bool | None, credit: bool = Fal
     from dampen.studies.record import record
 
     found: dict[str, Any] = {}
+    whole = True
     try:
         if refine is not None and result.trials:
             with working("Auditing"):
@@ -117,23 +122,25 @@ def review(bench: Bench, result: Result, refine: bool | None, credit: bool = Fal
             with bar("Taking apart") as advance:
                 found["credit"] = credited(result.scenario, progress=advance)
         if of is not None and result.trials == result.scenario.task.trials:
-            found |= limits_of(bench, result, of)
+            for one, at in limits_of(bench, result, of):
+                found["limits"] = (*found.get("limits", ()), one)
+                found["standings"] = (*found.get("standings", ()), at)
     except KeyboardInterrupt:
         err.print("The review was interrupted: it has what was finished.", markup=False)
-    return record(result.scenario, **found)
+        whole = False
+    return record(result.scenario, **found), whole
 
 
-def limits_of(bench: Bench, result: Result, of: Sequence[str]) -> dict[str, Any]:
-    """The limits, and where the run lies against them."""
+def limits_of(bench: Bench, result: Result, of: Sequence[str]) -> Iterator[tuple[Limit, Standing]]:
+    """The limits, one after the other, and where the run lies against them."""
     from dampen.analysis.limit.curve import limit as limited
     from dampen.analysis.limit.measure import measures
     from dampen.analysis.limit.standing import standing
 
-    found = []
     for name in of or measures(result.scenario):
         with bar(f"Limit of {name}") as advance:
-            found.append(limited(result.scenario, name, bench=bench, progress=advance))
-    return {"limits": tuple(found), "standings": tuple(standing(one, result) for one in found)}
+            found = limited(result.scenario, name, bench=bench, progress=advance)
+        yield found, standing(found, result)
 
 
 def show_limits(record: Record) -> None:

@@ -31,20 +31,20 @@ HELP = (
 
 OutOption = Annotated[Path | None, typer.Option("--out", metavar="DIR", help="where to write (default: a new folder in runs/)")]
 ReportOption = Annotated[bool, typer.Option("--report/--no-report", help="figures and report.html")]
-Review = Callable[["Bench", "Result"], "Record"]
+Review = Callable[["Bench", "Result"], tuple["Record", bool]]
 
 
 @dataclass(frozen=True)
 class Done:
-    """What a command has run and written."""
+    """What a command has run and written; whole: nothing of it broke off."""
 
     folder: Path
     result: Result
-    baseline: Result | None
     continuous: Result | None
     claims: list[Claim]
     record: Record
     page: Path | None
+    whole: bool
 
 
 def run(scenario: ScenarioArgument, set_: SetOption = None, folder: OutOption = None, report: ReportOption = True) -> None:
@@ -77,7 +77,7 @@ def perform(
         result, baseline, continuous = run_all(bench, folder)
         for line in result.warnings:
             err.print(f"Note: {line}", markup=False)
-        record = (review or own_review)(bench, result)
+        record, whole = (review or own_review)(bench, result)
     write_record(folder, record)
     claims, page = check_claims(result, baseline), None
     if report and result.trials:
@@ -86,21 +86,22 @@ def perform(
         with working("Drawing figures"):
             plan, about = figure_plan(result), note(result)
             page = write_report(folder, result, baseline, claims, plan, about, continuous=continuous, record=record)
-    return Done(folder, result, baseline, continuous, claims, record, page)
+    whole &= not (result.broke_off or (baseline is not None and baseline.broke_off))
+    return Done(folder, result, continuous, claims, record, page, whole)
 
 
-def own_review(bench: Bench, result: Result) -> Record:
+def own_review(bench: Bench, result: Result) -> tuple[Record, bool]:
     """The audit of a run by itself."""
     from dampen.analysis.audit.audit import audit
     from dampen.studies.record import record
 
-    return record(result.scenario, audit=audit(result, refine=False, bench=bench) if result.trials else None)
+    return record(result.scenario, audit=audit(result, refine=False, bench=bench) if result.trials else None), True
 
 
 def finish(done: Done) -> None:
     """Where everything is, and the exit status of a run that broke off."""
     out.print(f"Report: {done.page}" if done.page else f"Results: {done.folder / 'result.nc'}", markup=False)
-    if done.result.broke_off or (done.baseline is not None and done.baseline.broke_off):
+    if not done.whole:
         raise typer.Exit(BROKE_OFF)
 
 
