@@ -143,3 +143,30 @@ def test_an_interrupted_review_keeps_what_it_has_and_says_so(tmp_path: Path) -> 
     written = json.loads((tmp_path / "here" / FILE).read_text(encoding="utf-8"))
     assert [limit["of"] for limit in written["limits"]] == ["w"]
     assert dampen.load(tmp_path / "here" / "result.nc").trials == 3
+
+
+HARD = {
+    "at rest": ("he2017", "disturbance={kind='none'}", "plant.initial={}", "task.trials=6"),
+    "diverged": (
+        "euler-bernoulli-payload",
+        "controller={kind='boundary-damping', damping={tip_w=30.0}}",
+        "actuator={}",
+        "numerics.mode=sampled",
+        "sampling={period=0.02, delay=0.02}",
+    ),
+    "own port alone": ("string-tip-mass", "task.trials=1", "task.constraint={}", "controller.barrier=none"),
+    "reset": ("he2017", "task.start=reset", "task.trials=6", "numerics.modes=20"),
+}
+
+
+@pytest.mark.parametrize("case", list(HARD))
+def test_hard_runs_are_audited_taken_apart_and_reported_all_the_same(case: str, tmp_path: Path) -> None:
+    name, *sets = HARD[case]
+    for command in ("audit", "credit"):
+        options = [part for one in sets for part in ("--set", one)]
+        done = dampen_command(command, name, *options, "--out", command, cwd=tmp_path)
+        assert done.returncode == (3 if case == "diverged" else 0), done.stderr
+        assert "Traceback" not in done.stderr
+        assert "nan" not in done.stdout
+        written = json.loads((tmp_path / command / FILE).read_text(encoding="utf-8"))
+        jsonschema.Draft202012Validator(schema()).validate(written)

@@ -115,28 +115,49 @@ def variants(scenario: Scenario) -> Iterator[tuple[str, str, Scenario]]:
         yield "no control, frequencies held", f"{what}, and nobody pushes", replace(free, disturbance=held)
     ideal = ideal_actuators(scenario)
     if ideal is not None:
-        yield "ideal actuator", "linear actuators of the same slope, without gap, limit, lag or compensation", ideal
+        what = "linear actuators of the same slope, without gap, limit, lag or compensation"
+        yield "ideal actuator", what, ideal
+        others = others_than_damping(scenario)
+        if others:
+            yield "damping only, ideal actuator", f"of the law only its damping, and {what}", without(ideal, *others)
 
 
 def _of_the_law(scenario: Scenario) -> Iterator[tuple[str, str, Scenario]]:
-    setting, law = setting_of(scenario), scenario.controller
-    memory = law.begin(setting)
-    terms = list(taken_apart(law, {name: np.ones_like(value) for name, value in memory.items()}, setting))
-
-    def without(*leave_out: str, forget: bool = False) -> Scenario:
-        return scenario.with_controller(PartialLaw(law, leave_out, forget))
-
-    if "damping" in terms and len(terms) > 1:
-        others = tuple(name for name in terms if name != "damping")
-        yield "damping only", f"of the law only its damping; without {', '.join(others)}", without(*others)
-    if memory:
-        yield "nothing learned", "the memories are wiped after every trial", without(forget=True)
+    terms, others = terms_of(scenario), others_than_damping(scenario)
+    if others:
+        yield "damping only", f"of the law only its damping; without {', '.join(others)}", without(scenario, *others)
+    if scenario.controller.begin(setting_of(scenario)):
+        yield "nothing learned", "the memories are wiped after every trial", without(scenario, forget=True)
     for name in terms:
         if len(terms) > 1:
-            yield f"without {name}", f"the law without its term {name}", without(name)
+            yield f"without {name}", f"the law without its term {name}", without(scenario, name)
     switching = tuple(name for name in terms if name in ("Sgn on bounds", "observer"))
     if len(switching) == 2:
-        yield "without all Sgn terms", f"the law without all that multiplies Sgn: {' and '.join(switching)}", without(*switching)
+        what = f"the law without all that multiplies Sgn: {' and '.join(switching)}"
+        yield "without all Sgn terms", what, without(scenario, *switching)
+
+
+def terms_of(scenario: Scenario) -> list[str]:
+    """Names of the terms of a law, those included that it has to learn first; none of one through samples by its own function."""
+    law, setting = scenario.controller, setting_of(scenario)
+    if isinstance(law, SampledFeedback):
+        return []
+    learned = {name: np.ones_like(value) for name, value in law.begin(setting).items()}
+    return list(taken_apart(law, learned, setting))
+
+
+def others_than_damping(scenario: Scenario) -> tuple[str, ...]:
+    """The terms beside damping, where there is damping to be left alone."""
+    terms = terms_of(scenario)
+    return tuple(name for name in terms if name != "damping") if "damping" in terms else ()
+
+
+def without(scenario: Scenario, *leave_out: str, forget: bool = False) -> Scenario:
+    """The scenario without some terms of its law, or without what it carries from trial to trial."""
+    law = scenario.controller
+    if isinstance(law, PartialLaw):
+        return scenario.with_controller(replace(law, leave_out=(*law.leave_out, *leave_out), forget=law.forget or forget))
+    return scenario.with_controller(PartialLaw(law, leave_out, forget))
 
 
 def ideal_actuators(scenario: Scenario) -> Scenario | None:

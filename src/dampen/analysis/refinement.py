@@ -53,8 +53,8 @@ def figures_of_merit(result: Result) -> Mapping[tuple[str, str], float]:
         error = [np.asarray(result["y"][j])[:, p] - result.scenario.reference(j)[:, p] for j in range(result.trials)]
         force = np.concatenate([np.asarray(result["delivered"][j])[:, p] for j in range(result.trials)])
         found[f"largest error at {port.name}", port.motion_unit] = float(np.max(np.abs(error)))
-        found[f"RMS error at {port.name}, last trial", port.motion_unit] = float(np.sqrt(np.mean(error[last] ** 2)))
+        found[f"RMS error of the last trial at {port.name}", port.motion_unit] = float(np.sqrt(np.mean(error[last] ** 2)))
         found[f"RMS force at {port.name}", port.effort_unit] = float(np.sqrt(np.mean(force**2)))
         found[f"variation of the force at {port.name}", port.effort_unit] = float(np.abs(np.diff(force)).sum())
-    found["mean energy, last trial", "J"] = float(np.mean(result["energy"][last]))
+    found["mean energy of the last trial", "J"] = float(np.mean(result["energy"][last]))
     return found

@@ -50,6 +50,9 @@ def audit(
     from dampen.report.review.tables import audit_rows
     from dampen.report.review.words import sentence
 
+    if with_limit:
+        refuse_limit(scenario, set_, ())
+
     def reviewed(bench: Bench, result: Result) -> tuple[Record, bool]:
         return review(bench, result, refine=True, credit=with_credit, of=() if with_limit else None)
 
@@ -72,10 +75,7 @@ def limit(
     report: ReportOption = True,
 ) -> None:
     """`dampen limit`."""
-    from dampen.analysis.limit.measure import check_measures
-    from dampen.scenarios.read import read_scenario
-
-    check_measures(read_scenario(scenario, set_ or ()), of or ())
+    refuse_limit(scenario, set_, of or ())
 
     def reviewed(bench: Bench, result: Result) -> tuple[Record, bool]:
         return review(bench, result, refine=None, of=of or ())
@@ -83,6 +83,14 @@ def limit(
     done = perform(scenario, set_, folder, report, purpose="limit", review=reviewed)
     show_limits(done.record)
     finish(done)
+
+
+def refuse_limit(scenario: str, set_: list[str] | None, of: Sequence[str]) -> None:
+    """Say what is wrong with the measures, or that no port has an actuator, before anything is run."""
+    from dampen.analysis.limit.measure import check_measures
+    from dampen.scenarios.read import read_scenario
+
+    check_measures(read_scenario(scenario, set_ or ()), of)
 
 
 def credit(scenario: ScenarioArgument, set_: SetOption = None, folder: OutOption = None, report: ReportOption = True) -> None:
@@ -108,6 +116,7 @@ def review(
     refine: None: no audit at all.   of: measures of the limit; empty: the usual ones, None: no limit.
     """
     from dampen.analysis.audit.audit import audit as audited
+    from dampen.analysis.audit.audit import refined
     from dampen.analysis.credit import credit as credited
     from dampen.controllers.none import NoControl
     from dampen.studies.record import record
@@ -117,11 +126,15 @@ def review(
     try:
         if refine is not None and result.trials:
             with working("Auditing"):
-                found["audit"] = audited(result, refine=refine, bench=bench)
+                found["audit"] = audited(result, refine=False, bench=bench)
+                if refine:
+                    found["audit"] = refined(found["audit"], result)
         if credit and not isinstance(result.scenario.controller, NoControl):
             with bar("Taking apart") as advance:
                 found["credit"] = credited(result.scenario, progress=advance)
-        if of is not None and result.trials == result.scenario.task.trials:
+        if of is not None and result.trials < result.scenario.task.trials:
+            err.print("There is no limit to hold a run against that did not go to its end.", markup=False)
+        elif of is not None:
             for one, at in limits_of(bench, result, of):
                 found["limits"] = (*found.get("limits", ()), one)
                 found["standings"] = (*found.get("standings", ()), at)
@@ -137,7 +150,7 @@ def limits_of(bench: Bench, result: Result, of: Sequence[str]) -> Iterator[tuple
     from dampen.analysis.limit.measure import measures
     from dampen.analysis.limit.standing import standing
 
-    for name in of or measures(result.scenario):
+    for name in dict.fromkeys(of or measures(result.scenario)):
         with bar(f"Limit of {name}") as advance:
             found = limited(result.scenario, name, bench=bench, progress=advance)
         yield found, standing(found, result)

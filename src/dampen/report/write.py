@@ -13,7 +13,6 @@ from dampen.report.plan import completed, default_plan
 from dampen.report.review.figures import draw_review
 from dampen.report.review.parts import Parts, parts
 from dampen.scenarios.figures import FigurePlan
-from dampen.simulation.bench import Bench
 from dampen.simulation.result import Result
 from dampen.studies.record import Record
 
@@ -52,5 +51,5 @@ def write_report(
 
 def reviewed(record: Record, result: Result, folder: Path, kind: str) -> Parts:
     """A review with its figures, drawn into folder/figures and embedded in this format."""
-    drawn = draw_review(record, result, Bench(result.scenario), folder / "figures") if result.trials else []
+    drawn = draw_review(record, result, folder / "figures") if result.trials else []
     return parts(record, [embedded(one, kind) for one in drawn])

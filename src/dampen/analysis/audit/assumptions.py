@@ -17,7 +17,6 @@ from dampen.simulation.result import Result
 Array = np.ndarray
 EQUAL = 1e-9  # of the largest displacement: closer starts are equal
 ROUND_OFF = 1 + 1e-12
-MOSTLY, RENEWED = 0.5, 0.1  # share of the time that all stick; share of the kept energy taken in a trial
 
 
 def assumptions(result: Result, bench: Bench) -> Iterator[Finding]:
@@ -160,61 +159,42 @@ def largest_load(result: Result, bench: Bench) -> tuple[float, str]:
 
 
 def moving(result: Result, bench: Bench) -> Iterator[Finding]:
-    """Assumption 5: no port stands still for a whole trial; and the energy that is trapped behind those that stick."""
-    found = sticking(result, bench)
-    if found is None or not any(found.share):
-        return
+    """Assumption 5: no port stands still for a whole trial."""
+    found = sticking(result)
     relied = "moving ports" in result.scenario.controller.relies_on
-    duration = result.scenario.task.trial_duration
-    for port, share, longest, at, still in zip(
-        found.ports, found.share, found.longest, found.longest_at, found.still, strict=True
-    ):
-        holds = not still and longest < duration
-        trials = f", through {len(still)} whole trials" if len(still) > 1 else f", through trial {still[0]}" if still else ""
-        yield Finding.of(
-            "assumptions",
-            f"assumption.moving.{port}",
-            f"{port} does not stand still for a trial of {duration:g} s",
-            f"stuck {share:.0%} of the time; longest {longest:.3g} s, from t = {at:.4g} s{trials}",
-            holds if relied else None,
-            "It sticks, but never for a whole trial."
-            if holds
-            else "It stands still for whole trials: nothing is measured or learned there, and no energy leaves through it.",
-            {
-                "share of steps stuck": Quantity(share),
-                "longest stick": Quantity(longest, "s"),
-                "longest stick begins": Quantity(at, "s"),
-                "trials without motion": Quantity(still),
-            },
-            judged=relied,
-        )
-    if found.together:
-        yield trapped(found)
+    if found is None:
+        if relied:
+            why = "Through samples nothing sticks exactly: whether a port stands still cannot be counted."
+            yield Finding.of(
+                "assumptions", "assumption.moving", "no port stands still for a trial", "through samples", None, why, {}
+            )
+    elif relied or any(found.share):
+        for i in range(len(found.ports)):
+            yield still(found, i, result.scenario.task.trial_duration, relied)
 
 
-def trapped(found: Sticking) -> Finding:
-    """The energy while all driven ports stick together, and what the control still takes of it: what a residual is made of."""
-    static = "" if found.static is None else f", of which {found.static:.2g} J hold the ports off their rest"
-    share = found.taken / found.trapped if found.trapped > 0 else np.inf
-    trapping = found.together > MOSTLY and share < RENEWED
+def still(found: Sticking, i: int, duration: float, relied: bool) -> Finding:
+    """Whether a port stands still for a whole trial."""
+    port, longest, trials = found.ports[i], found.longest[i], found.still[i]
+    moves = not trials and longest < duration
+    through = f", through {len(trials)} whole trial{'s' * (len(trials) > 1)}" if trials else ""
+    stuck = f"stuck {found.share[i]:.0%} of the time; longest {longest:.3g} s, from t = {found.longest_at[i]:.4g} s{through}"
     return Finding.of(
         "assumptions",
-        "assumption.trapped-energy",
-        "while all driven ports stick, the structure keeps no more than ten times what the control takes in a trial",
-        f"{found.trapped:.3g} J kept{static}; {found.taken:.2g} J taken a trial; all stuck {found.together:.0%} of the time",
-        not trapping,
-        "Trapped: with its ends held the structure keeps its energy, and the control, which works only while a port slips, takes "
-        f"{share:.2%} of it in a trial. This is the residual; less authority (Sgn, damping) would let the ports slip."
-        if trapping
-        else "What is left is renewed by the disturbance, and taken again while the ports slip: it is not trapped.",
+        f"assumption.moving.{port}",
+        f"{port} does not stand still for a trial of {duration:g} s",
+        stuck if longest else "never stuck",
+        moves,
+        ("It sticks, but never for a whole trial." if longest else "It keeps moving.")
+        if moves
+        else "It stands still for whole trials: nothing is measured or learned there, and no energy leaves through it.",
         {
-            "kept, last trials": Quantity(found.trapped, "J"),
-            "of it static": Quantity(found.static, "J"),
-            "taken a trial, last trials": Quantity(found.taken, "J"),
-            "share of steps all stuck": Quantity(found.together),
-            "all stuck, share by trial": Quantity(found.together_by_trial),
-            "kept, by trial": Quantity(found.trapped_by_trial, "J"),
+            "share of steps stuck": Quantity(found.share[i]),
+            "longest stick": Quantity(longest, "s"),
+            "longest stick begins": Quantity(found.longest_at[i], "s"),
+            "trials without motion": Quantity(trials),
         },
+        judged=relied,
     )
 
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from dampen.analysis.audit.assumptions import assumptions
 from dampen.analysis.audit.boundedness import boundedness
@@ -11,6 +11,7 @@ from dampen.analysis.audit.composite import composite
 from dampen.analysis.audit.energetics import energetics
 from dampen.analysis.audit.finding import Finding
 from dampen.analysis.audit.loop import bound_rows, rate_rows
+from dampen.analysis.audit.residual import residual
 from dampen.analysis.audit.resolution import resolution
 from dampen.analysis.bounds import Bounds, bounds
 from dampen.analysis.rates import NoRates, Rates, rates
@@ -59,14 +60,21 @@ def audit(result: Result, *, refine: bool = True, bench: Bench | None = None) ->
     bench = bench or Bench(result.scenario)
     found, limits = rates(result.scenario, bench), bounds(result, bench)
     loop = (*rate_rows(found), *bound_rows(limits, result.scenario))
-    return Audit(result.scenario.name, (*findings(result, bench, refine), *loop), found, limits)
+    whole = Audit(result.scenario.name, (*findings(result, bench), *loop), found, limits)
+    return refined(whole, result) if refine else whole
 
 
-def findings(result: Result, bench: Bench, refine: bool) -> Iterator[Finding]:
-    """The rows of the run, in the order of the page."""
+def refined(found: Audit, result: Result) -> Audit:
+    """The audit of a run with its section on resolution, for which the scenario is run twice more."""
+    first = [finding for finding in found.findings if finding.section == "energy"]
+    rest = [finding for finding in found.findings if finding.section not in ("energy", "resolution")]
+    return replace(found, findings=(*first, *resolution(result), *rest))
+
+
+def findings(result: Result, bench: Bench) -> Iterator[Finding]:
+    """The rows of the run itself, in the order of the page."""
     yield from energetics(result, bench)
-    if refine:
-        yield from resolution(result)
     yield from assumptions(result, bench)
+    yield from residual(result, bench)
     yield from boundedness(result)
     yield from composite(result)

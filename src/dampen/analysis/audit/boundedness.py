@@ -36,9 +36,13 @@ def signal_unit(name: str, port: object) -> str:
 
 
 def bounded(name: str, port: str, by_trial: Array, unit: str) -> Finding:
-    """Whether the largest value of the last five trials is no more than those before."""
+    """Whether the largest value of the last trials, a fifth of all and five at the least, is no more than those before.
+
+    What grows in proportion to the trials is a quarter larger in the last fifth, however long the run.
+    """
     where, few = (f" at {port}" if port else ""), len(by_trial) < FEWEST
-    before, late = (np.inf, by_trial.max()) if few else (by_trial[:-LATE].max(), by_trial[-LATE:].max())
+    fifth = max(LATE, len(by_trial) // LATE)
+    before, late = (np.inf, by_trial.max()) if few else (by_trial[:-fifth].max(), by_trial[-fifth:].max())
     finite, growth = bool(np.all(np.isfinite(by_trial))), late / before if before else 1.0 if not late else np.inf
     holds = False if not finite else None if few else bool(growth <= GROWTH)
     meaning = (
@@ -48,11 +52,11 @@ def bounded(name: str, port: str, by_trial: Array, unit: str) -> Finding:
         if not holds
         else "It does not grow along the trials."
     )
-    trend = "" if few else f"; last five {growth:.0%} of those before"
+    trend = "" if few else f"; last {fifth} {growth:.0%} of those before"
     return Finding.of(
         "boundedness",
         f"bounded.{name}{'.' if port else ''}{port}",
-        f"largest |{name}|{where} of the last five trials <= 105 % of those before",
+        f"largest |{name}|{where} of the last {fifth} trials <= 105 % of those before",
         f"{by_trial.max():.3g} {unit}".rstrip() + trend,
         holds,
         meaning,

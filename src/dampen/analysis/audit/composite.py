@@ -12,6 +12,7 @@ from dampen.analysis.metrics import largest
 from dampen.simulation.result import Result
 
 Array = np.ndarray
+LABELS = {"by (46)": "E_0(T_b) and the sum of the differences (46)", "with the jump": "E_j(T_b)"}
 
 
 def composite(result: Result) -> Iterator[Finding]:
@@ -28,7 +29,7 @@ def composite(result: Result) -> Iterator[Finding]:
 
 def falls(energy: CompositeEnergy, column: int, decay: float) -> Finding:
     """Whether E_j(T_b) falls along the trials, as printed and with the jump of the weight."""
-    totals = {"as printed": energy.printed[:, column], "with the jump": energy.total[:, column]}
+    totals = {"by (46)": energy.printed[:, column], "with the jump": energy.total[:, column]}
     up = {name: np.flatnonzero(np.diff(values) > 0) for name, values in totals.items()}
     blamed = energy.risen(up["with the jump"], column)
     few, fell = len(energy.at_end) < 2, not any(map(len, up.values()))
@@ -41,14 +42,16 @@ def falls(energy: CompositeEnergy, column: int, decay: float) -> Finding:
         "composite energy",
         f"composite-energy.lambda={decay:g}",
         f"E_j(T_b) rises in no trial, lambda = {decay:g} 1/s",
-        f"{told}; rises: {len(up['as printed'])} as printed, {len(up['with the jump'])} with the jump of the weight",
+        f"{told}; rises: {len(up['by (46)'])} by (46) as printed, {len(up['with the jump'])} with the jump of the weight",
         None if few else fell,
-        "It falls from trial to trial."
+        "One trial shows no trend."
+        if few
+        else "It falls from trial to trial."
         if fell
         else f"What rises: {'; '.join(blamed)}."
         if blamed
         else "It rises only by the differences of the proof, which leave out what the weight's restart gives back.",
-        {f"E_j(T_b) {name}, by trial": Quantity(tuple(map(float, values)), "J") for name, values in totals.items()}
+        {f"{LABELS[name]}, by trial": Quantity(tuple(map(float, values)), "J") for name, values in totals.items()}
         | {f"trials that rise {name}": Quantity(tuple(int(j) + 1 for j in trials)) for name, trials in up.items()},
     )
 
@@ -77,12 +80,12 @@ def alpha_1(result: Result) -> Finding:
         "gain conditions",
         "gain.alpha_1",
         criterion,
-        f"slack at least {slack.min():.3g} J; alpha_1 >= {needed:.3g} would do, it is {own:g}",
+        f"slack at least {slack.min():.3g} J; for this motion alpha_1 = {needed:.3g} would be enough, it is {own:g}",
         holds,
         "Large enough on this run; the proof says no more than that there is such an alpha_1."
         if holds
-        else f"Worst up to trial {trial + 1} at lambda = {LAMBDAS[column]:g} 1/s: the load works while the tip hardly moves.",
-        {**by_lambda, "alpha_1 needed": Quantity(needed)},
+        else f"Worst up to trial {trial + 1} at lambda = {LAMBDAS[column]:g} 1/s: the load gave more than the gain covers.",
+        {**by_lambda, "alpha_1 needed for this motion": Quantity(needed)},
     )
 
 

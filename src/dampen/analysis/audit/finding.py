@@ -9,7 +9,17 @@ from typing import Literal
 Number = float | int | None
 Values = Mapping[str, "Quantity"]
 Verdict = Literal["PASS", "FAIL", "n/a", "note"]
-Section = Literal["energy", "resolution", "assumptions", "boundedness", "composite energy", "gain conditions", "rates", "bounds"]
+Section = Literal[
+    "energy",
+    "resolution",
+    "assumptions",
+    "residual",
+    "boundedness",
+    "composite energy",
+    "gain conditions",
+    "rates",
+    "bounds",
+]
 
 
 @dataclass(frozen=True)

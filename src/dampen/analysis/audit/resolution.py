@@ -30,11 +30,13 @@ def resolution(result: Result) -> Iterator[Finding]:
 
 def with_twice_the_modes(scenario: Scenario) -> tuple[Figures | None, str]:
     """The figures with twice the modes; or why there are none."""
-    count = min(2 * scenario.numerics.modes, MODES_AT_MOST)
+    count = 2 * scenario.numerics.modes
+    if count > MODES_AT_MOST:
+        return None, f"{count} modes are more than can be had"
     try:
         finer = simulate(replace(scenario, numerics=replace(scenario.numerics, modes=count)))
-    except ArgumentError:
-        return None, "the structure does not have twice the modes"
+    except ArgumentError as error:
+        return None, f"{count} modes cannot be had: {error.lines[0].rstrip('.')}"
     return of_a_whole_run(finer, finer), ""
 
 

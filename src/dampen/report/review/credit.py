@@ -32,7 +32,7 @@ LEAST_MARGIN = -0.5
 
 def draw_credit(credit: Credit) -> tuple[Figure, str]:
     """A row for each variant, a column for each figure: a dot where it comes to, a line from where the whole law comes to."""
-    shown = [variant for variant in credit.variants if variant.ports]
+    shown = drawable(credit)
     columns = columns_of(credit)
     height = HEAD + FOOT + ROW * len(shown)
     figure = sheet(DOUBLE, height)
@@ -49,6 +49,11 @@ def draw_credit(credit: Credit) -> tuple[Figure, str]:
     return figure, sentence(credit)
 
 
+def drawable(credit: Credit) -> list[Variant]:
+    """The variants with figures that can be drawn: what diverged has none."""
+    return [v for v in credit.variants if v.ports and all(np.isfinite((one.residual, one.effort)).all() for one in v.ports)]
+
+
 def columns_of(credit: Credit) -> list[tuple[str, str, Callable[[Variant], float], bool]]:
     """Heading, unit, value of a variant, and whether on a log axis: residuals by port, the margin, efforts by port."""
 
@@ -59,7 +64,8 @@ def columns_of(credit: Credit) -> list[tuple[str, str, Callable[[Variant], float
     found = [(f"residual, {one.port}", one.motion_unit, at(one.port, "residual"), True) for one in ports]
     if np.isfinite(credit.whole.margin):
         found.append(("margin", "", lambda variant: variant.margin, False))
-    pushed = [one for one in ports if any(variant.at(one.port).effort for variant in credit.variants if variant.ports)]
+    pushed = [one for one in ports if any(variant.at(one.port).effort for variant in drawable(credit))]
+    found = [column for column in found if not column[3] or any(column[2](variant) > 0 for variant in drawable(credit))]
     return [*found, *((f"effort, {one.port}", one.effort_unit, at(one.port, "effort"), False) for one in pushed)]
 
 

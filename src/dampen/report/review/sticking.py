@@ -29,19 +29,19 @@ def draw_sticking(run: Result, found: Sticking) -> tuple[Figure, str]:
     t, energy = extremes(run, "energy")
     handles = axes.plot(t, np.where(energy > 0, energy, np.nan), color=INK, lw=0.8, label="energy of the structure", zorder=3)
     middle = (np.arange(run.trials) + 0.5) * run.scenario.task.trial_duration
-    kept = np.array([np.nan if value is None else value for value in found.trapped_by_trial])
+    kept = np.array([np.nan if value is None else value for value in found.kept_by_trial])
     style: dict[str, Any] = {"marker": "o", "ms": 3.2, "mfc": "white", "ls": "none", "color": LEARNED, "zorder": 4}
     handles += axes.plot(middle, kept, label="kept while all ports stick, mean of a trial", **style)
-    low = max(float(np.nanmin(np.where(energy > 0, energy, np.nan))), float(energy.max()) * 10**-DECADES)
     high = 2 * float(energy.max())
+    low = max(float(energy[energy > 0].min()), high / 2 * 10**-DECADES) / 1.5
     rows = len(found.ports) + 0.6
-    floor = low / 1.5 / (high / low) ** (BAND * rows / (1 - BAND * rows))
+    floor = low / (high / low) ** (BAND * rows / (1 - BAND * rows))
     log_axis(axes, "energy [J]", floor, high)
     written = axes.yaxis.get_major_formatter()
-    axes.yaxis.set_major_formatter(FuncFormatter(lambda y, i: written(y, i) if y > low / 1.3 else ""))  # clear of the rows
+    axes.yaxis.set_major_formatter(FuncFormatter(lambda y, i: written(y, i) if y > low else ""))  # clear of the rows
     draw_sticks(axes, run, found)
     legend_row(figure, handles)
-    return figure, sentence(run, found)
+    return figure, sentence(found)
 
 
 def draw_sticks(axes: Axes, run: Result, found: Sticking) -> None:
@@ -65,10 +65,13 @@ def draw_sticks(axes: Axes, run: Result, found: Sticking) -> None:
     axes.tick_params(axis="y", labelsize=SMALL)
 
 
-def sentence(run: Result, found: Sticking) -> str:
+def sentence(found: Sticking) -> str:
     """What the figure shows, in numbers."""
-    share, kept = percent(found.together), quantity(found.trapped, "J")
-    text = f"In the last five trials all driven ports stick {share} of the time, with {kept} behind them"
-    if found.static is not None and found.trapped > 0:
-        text += f", {percent(found.static / found.trapped)} of it what holds the ports off their rest"
-    return f"{text}; the control takes {quantity(found.taken, 'J')} a trial."
+    text = f"In the last five trials all driven ports stick {percent(found.together)} of the time"
+    kept = [value for value in found.kept_by_trial[-5:] if value is not None]
+    text += f", with {quantity(sum(kept) / len(kept), 'J')} in the structure" if kept else ""
+    offs = [
+        f"{port} stands {quantity(offset, unit)} off (RMS {quantity(rms, unit)})"
+        for port, offset, rms, (unit, _) in zip(found.ports, found.offset, found.rms, found.units, strict=True)
+    ]
+    return f"{text}; in the mean {', '.join(offs)}."

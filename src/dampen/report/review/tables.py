@@ -65,7 +65,15 @@ def credit_row(credit: Credit, variant: Variant) -> tuple[str, ...]:
     )
 
 
-LIMIT_COLUMNS = ("RMS of", "no control", "the run", "its effort", "least, at that effort", "the run / least", "least, any effort")
+LIMIT_COLUMNS = (
+    "RMS of",
+    "no control",
+    "the run",
+    "its effort",
+    "least, at that effort",
+    "the run / least",
+    "least on the curve",
+)
 
 
 def limit_rows(record: Record) -> list[tuple[str, ...]]:
@@ -73,11 +81,12 @@ def limit_rows(record: Record) -> list[tuple[str, ...]]:
     rows = []
     for limit, at in zip(record.limits, record.standings, strict=True):
         ratio = "" if at.ratio is None else number(at.ratio)
-        values = [quantity(value, limit.unit) for value in (limit.uncontrolled, at.rms, at.bound, lowest(limit))]
-        rows.append((limit.of, *values[:2], quantity(at.effort, "N"), values[2], ratio, values[3]))
+        values = [quantity(value, limit.unit) for value in (limit.uncontrolled, at.rms, at.bound)]
+        rows.append((limit.of, *values[:2], quantity(at.effort, "N"), values[2], ratio, lowest(limit)))
     return rows
 
 
-def lowest(limit: Limit) -> float:
-    """The least root mean square of the curve's points: what the forces of the smallest weight reach."""
-    return min(point.rms for point in limit.points)
+def lowest(limit: Limit) -> str:
+    """The least root mean square of the curve's points, and the effort that it takes; more effort may get lower."""
+    point = min(limit.points, key=lambda point: point.rms)
+    return f"{quantity(point.rms, limit.unit)} at {quantity(point.effort, 'N')}"

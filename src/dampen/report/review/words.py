@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
+import numpy as np
+
 from dampen.analysis.audit.audit import Audit
 from dampen.analysis.audit.finding import Finding
 from dampen.analysis.credit import Credit, Variant
@@ -18,6 +20,7 @@ HEADINGS = {
     "energy": "Energy",
     "resolution": "Resolution",
     "assumptions": "Assumptions",
+    "residual": "What is left",
     "boundedness": "Boundedness",
     "composite energy": "Composite energy",
     "gain conditions": "Gain conditions",
@@ -66,6 +69,8 @@ def _held(section: str, held: Sequence[Finding], findings: Sequence[Finding]) ->
         return "; ".join(f"{told[f.id]} ({f.measured})" for f in held)
     if section == "bounds":
         return f"kept ({held[0].measured})"
+    if section == "residual":
+        return " ".join(f.meaning if f.id.endswith("energy") else f"{_subject(f)} it moves." for f in held).rstrip(".")
     if section == "assumptions":
         return "; ".join(dict.fromkeys(_assumed(f) for f in held))
     names = listed([f.id.partition(".")[2] for f in held])
@@ -81,23 +86,32 @@ def _assumed(finding: Finding) -> str:
         "repetition": "disturbance and reference repeat",
         "bound": f"{finding.criterion.split(' <=')[0]} stays within its stated bound",
         "moving": f"{'.'.join(port)} never stands still for a trial",
-        "trapped-energy": "no energy is trapped behind sticking ports",
     }.get(kind, finding.criterion)
+
+
+def _subject(finding: Finding) -> str:
+    """What a row about the residual is about."""
+    return "Energy" if finding.id.endswith("energy") else f"At {finding.id.removeprefix('residual.offset.')}"
 
 
 def failing(audit: Audit) -> list[str]:
     """What does not hold, each with what it means; what is of one kind together."""
-    together = ("resolution", "composite energy")
+    together = ("resolution", "composite energy", "residual")
     lines = [f"Asked: {f.criterion}. Found: {f.measured}. {f.meaning}" for f in audit.failed if f.section not in together]
     rising = [f for f in audit.failed if f.section == "composite energy"]
     if rising:
         told = [f"{f.id.partition('=')[2]} 1/s ({f.measured.partition('rises: ')[2]})" for f in rising]
-        why = " ".join(dict.fromkeys(f.meaning for f in rising))
-        lines.append(f"E_j(T_b) rises from one trial to the next at lambda = {listed(told)}. {why}")
+        terms = "; ".join(f.meaning.removeprefix("What rises: ").rstrip(".") for f in rising).split("; ")
+        what = listed(list(dict.fromkeys(terms)))
+        lines.append(f"E_j(T_b) rises from one trial to the next at lambda = {listed(told)}. What rises: {what}.")
+    frozen = [_subject(f).removeprefix("At ") for f in audit.failed if f.section == "residual" and not f.id.endswith("energy")]
+    if frozen:
+        lines.append(f"The residual at {listed(frozen)} is no vibration: it is an offset, held by ports that stick.")
+    lines += ["The energy that is left is trapped." for f in audit.failed if f.id == "residual.trapped-energy"]
     loose = [f for f in audit.failed if f.section == "resolution"]
     if loose:
         told = [f"{f.id.removeprefix('resolution.')} ({f.measured.partition('; ')[2]})" for f in loose]
-        lines.append(f"Not settled by modes and step: {listed(told)}. They are good to no more than that.")
+        lines.append(f"Not settled by modes and step, and good to no more than this: {'; '.join(told)}.")
     return lines
 
 
@@ -105,18 +119,28 @@ def reasons(audit: Audit | None, credit: Credit | None) -> list[str]:
     """Why: what is trapped, and what each part of the law is worth."""
     lines = []
     if audit is not None:
-        lines += [f.meaning for f in audit.findings if f.id == "assumption.trapped-energy"]
+        lines += [f"{_subject(f)}: {f.measured}. {f.meaning}" for f in audit.failed if f.section == "residual"]
     return lines + ([] if credit is None else credited(credit, audit))
 
 
 def credited(credit: Credit, audit: Audit | None = None) -> list[str]:
-    """For each port: what it comes to, with and without control, and what each part of the law is worth there."""
-    return [line for one in credit.whole.ports for line in _at_port(credit, one.port, _alike(audit, one.port)) if line]
+    """For each port: what it comes to, with and without control, and what each part of the law is worth there; and what keeps
+    the constraint."""
+    if not credit.whole.ports or not all(np.isfinite(one.residual) for one in credit.whole.ports):
+        return [f"The run itself is {credit.whole.status}: there is nothing to compare parts with."]
+    lines = [line for one in credit.whole.ports for line in _at_port(credit, one.port, _alike(audit, one.port)) if line]
+    broken = [v for v in _left_out(credit) if v.status != credit.whole.status]
+    if broken:
+        lost = [f"{_part(v)} ({v.status.replace('_', ' ')})" for v in broken]
+        lines.append(f"What the run cannot do without: {listed(lost)}.")
+    return lines
 
 
 def _alike(audit: Audit | None, port: str) -> float:
     """How close two residuals must be to be told as alike: not what twice the modes or half the step change."""
-    row = next((f for f in (audit.findings if audit else ()) if f.id == f"resolution.RMS error at {port}, last trial"), None)
+    row = next(
+        (f for f in (audit.findings if audit else ()) if f.id == f"resolution.RMS error of the last trial at {port}"), None
+    )
     if row is None:
         return ALIKE
     own = row.values["as it is"].value
@@ -136,40 +160,56 @@ def _at_port(credit: Credit, port: str, alike: float) -> list[str]:
         variant = credit.get(name)
         return variant.at(port).residual if variant is not None and variant.ports else None
 
-    free, damped, ideal = told("no control"), told("damping only"), told("ideal actuator")
+    names = ("no control", "damping only", "ideal actuator", "damping only, ideal actuator")
+    free, damped, ideal, bare = map(told, names)
     text = f"{port}: the RMS error at the end is {quantity(own, unit)}"
     text += f", {percent(own / free)} of the {quantity(free, unit)} without control" if free else ""
     if damped is not None:
         text += f"; damping alone comes to {quantity(damped, unit)}" + (", which is less" if damped < (1 - alike) * own else "")
-    text += f"; through an ideal actuator it would be {quantity(ideal, unit)}" if ideal is not None else ""
-    return [f"{text}.", _worth(credit, port, own, alike), _growth(port, unit, free, *map(told, HELD))]
+    if ideal is not None:
+        text += f"; through an ideal actuator it would be {quantity(ideal, unit)}"
+        text += f", and {quantity(bare, unit)} by damping alone" if bare is not None else ""
+    return [f"{text}.", _worth(credit, port, own, alike), _growth(port, own, free, *map(told, HELD))]
 
 
 def _worth(credit: Credit, port: str, own: float, alike: float) -> str:
-    """Which parts help at a port, and which harm."""
-    parts = [(variant, variant.at(port).residual / own) for variant in _left_out(credit) if own > 0]
+    """Which parts help at a port, and which harm: of those that the run could do without."""
+    if own == 0:
+        return ""
+    parts = [(v, v.at(port).residual / own) for v in _left_out(credit) if v.status == credit.whole.status]
     worth = sorted(((v, r) for v, r in parts if r > 1 + alike), key=lambda pair: -pair[1])
     harm = sorted(((v, r) for v, r in parts if r < 1 - alike), key=lambda pair: pair[1])
-    helps = f"What helps at {port}: {listed([_told(v, r) for v, r in worth])}." if worth else ""
-    harms = f"What harms at {port}: {listed([_told(v, r) for v, r in harm])}." if harm else ""
+    helps = f"What helps at {port}: {listed([_told(credit, v, r) for v, r in worth])}." if worth else ""
+    harms = f"What harms at {port}: {listed([_told(credit, v, r) for v, r in harm])}." if harm else ""
     return f"{helps} {harms}".strip()
 
 
-def _growth(port: str, unit: str, free: float | None, held: float | None, held_free: float | None) -> str:
-    """What the growth of the disturbance's frequencies does by itself."""
-    if held is None or not free or not held_free:
+def _growth(port: str, own: float, free: float | None, held: float | None, held_free: float | None) -> str:
+    """What the growth of the disturbance's frequencies does."""
+    if not held or not free or not held_free:
         return ""
-    text = f"Were the frequencies to stay, {port} would come to {quantity(held, unit)}"
-    text += f", and to {quantity(held_free, unit)} without control"
-    return text + (f": their growth alone takes {percent(1 - free / held_free)}." if free < held_free else ".")
+    controlled, alone = (f"{TIMES}{number(ratio, 2)}" for ratio in (own / held, free / held_free))
+    return f"That the frequencies grow changes the residual at {port} by {controlled}, and by {alone} without control."
 
 
 def _left_out(credit: Credit) -> list[Variant]:
-    return [v for v in credit.variants if v.ports and (v.name.startswith("without ") or v.name == "nothing learned")]
+    """The variants without a part of the law; of those that come to the very same, the first."""
+    found: dict[tuple[float, ...], Variant] = {}
+    for v in credit.variants:
+        if v.ports and (v.name.startswith("without ") or v.name == "nothing learned"):
+            found.setdefault(tuple(getattr(one, name) for one in v.ports for name in ("residual", "effort")), v)
+    return list(found.values())
 
 
 def _part(variant: Variant) -> str:
     return "learning" if variant.name == "nothing learned" else variant.name.removeprefix("without ").removeprefix("all ")
+
+
+def _told(credit: Credit, variant: Variant, ratio: float) -> str:
+    """A part, by what the residual is multiplied without it, and the energy where that says something else."""
+    energy = variant.energy / credit.whole.energy if credit.whole.energy else 1.0
+    other = (ratio < 1 and energy > 1 + ALIKE) or (ratio > 1 and energy < 1 - ALIKE)
+    return f"{_part(variant)} ({TIMES}{number(ratio, 2)} without{f', energy {TIMES}{number(energy, 2)}' if other else ''})"
 
 
 def limited(limits: Sequence[Limit], standings: Sequence[Standing]) -> list[str]:
@@ -181,16 +221,11 @@ def _against(limit: Limit, at: Standing) -> str:
     own, least, reached = (quantity(value, at.unit) for value in (at.rms, at.bound, at.reached))
     text = f"{at.of}: the run's RMS is {own} at an effort of {quantity(at.effort, 'N')}. "
     text += "It lies BELOW the limit, which cannot be: do not trust this run. " if at.below else ""
-    text += f"No forces of that effort at the same ports get below {least}"
-    text += f", a factor of {number(at.ratio, 3)}" if at.ratio else ""
-    text += f", whatever they know of the disturbance; some get to {reached}. "
+    text += f"No forces of that effort at the same ports get below {least}, whatever they know of the disturbance; some get to "
+    text += f"{reached}. "
+    text += f"The run is {number(at.ratio, 3)} times above the bound. " if at.ratio else ""
     nearest = min(limit.points, key=lambda point: abs(point.effort - at.effort))
     text += (
         f"Peaks, which this does not bound: {quantity(at.peak, at.unit)} in the run, {quantity(nearest.peak, at.unit)} under the "
     )
     return text + f"best forces of about the same effort. Duality gap at most {max(point.gap for point in limit.points):.0e}."
-
-
-def _told(variant: Variant, ratio: float) -> str:
-    """A part, and by what the residual is multiplied without it."""
-    return f"{_part(variant)} ({TIMES}{number(ratio, 2)} without)"
