@@ -77,7 +77,9 @@ def perform(
         result, baseline, continuous = run_all(bench, folder)
         for line in result.warnings:
             err.print(f"Note: {line}", markup=False)
-        record, whole = (review or own_review)(bench, result)
+        if review is None or interrupted(result, baseline, continuous):  # after Ctrl-C nothing more is run
+            review = own_review
+        record, whole = review(bench, result)
     write_record(folder, record)
     claims, page = check_claims(result, baseline), None
     if report and result.trials:
@@ -88,6 +90,11 @@ def perform(
             page = write_report(folder, result, baseline, claims, plan, about, continuous=continuous, record=record)
     whole &= not (result.broke_off or (baseline is not None and baseline.broke_off))
     return Done(folder, result, continuous, claims, record, page, whole)
+
+
+def interrupted(*runs: Result | None) -> bool:
+    """Whether any of some runs was."""
+    return any(run is not None and run.status == "interrupted" for run in runs)
 
 
 def own_review(bench: Bench, result: Result) -> tuple[Record, bool]:

@@ -6,6 +6,7 @@ from collections.abc import Iterator
 
 import numpy as np
 
+from dampen.analysis.audit.boundedness import bounded, boundedness
 from dampen.analysis.claims import Claim
 from dampen.analysis.composite_energy import LAMBDAS, CompositeEnergy, composite_energy, rises
 from dampen.analysis.metrics import field_rms, fraction_of_limit, largest, peaks, port_rms
@@ -109,17 +110,14 @@ def _inputs_bounded(result: Result) -> Iterator[Claim]:
 
 
 def _theorem_1(result: Result, composite: Composite) -> Iterator[Claim]:
-    known = ("y", "v", "command", "delivered", "zeta", "d_hat", "energy", "barrier_energy")
-    signals = {name: largest(result, name) for name in known if name in result.layout.variables}
+    rows = [finding for finding in boundedness(result) if finding.id.startswith("bounded.")]
     if composite is not None:
-        signals["E_j(T_b)"] = composite.total[:, 0]
-    trends = {name: _trend(values) for name, values in signals.items()}
-    growing = [f"{name} {late - 1:+.0%}" for name, (_, late) in trends.items() if late is not None and not late <= GROWTH]
-    finite = all(np.isfinite(top) for top, _ in trends.values())
-    measured = f"{len(signals)} signals: " + (f"growing: {', '.join(growing)}" if growing else "none grows")
+        rows.append(bounded("E_j(T_b)", "", composite.total[:, 0], "J"))
+    growing = [finding.id.removeprefix("bounded.") for finding in rows if finding.verdict == "FAIL"]
+    measured = f"{len(rows)} signals: " + (f"growing: {', '.join(growing)}" if growing else "none grows")
     yield Claim(
         "T1", "Every signal, and E_j(t), is bounded in every trial", "largest of the last five trials <= 105 % of those before",
-        measured, None if result.trials < 10 else finite and not growing,
+        measured, None if all(finding.verdict == "n/a" for finding in rows) else not growing,
     )  # fmt: skip
 
 
