@@ -58,7 +58,7 @@ def audit(result: Result, *, refine: bool = True, bench: Bench | None = None) ->
         raise ArgumentError("Argument `result` must have a finished trial, but has none.")
     bench = bench or Bench(result.scenario)
     found, limits = rates(result.scenario, bench), bounds(result, bench)
-    loop = (*rate_rows(found), *bound_rows(limits, result.scenario))
+    loop = (*rate_rows(found, result.scenario), *bound_rows(limits, result.scenario))
     return Audit(result.scenario.name, (*findings(result, bench, refine), *loop), found, limits)
 
 

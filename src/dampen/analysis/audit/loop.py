@@ -4,15 +4,19 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+import numpy as np
+
 from dampen.analysis.audit.finding import Finding, Quantity
 from dampen.analysis.bounds import Bounds
 from dampen.analysis.rates import NoRates, Rates
 from dampen.simulation.scenario import Scenario
 
 
-def rate_rows(found: Rates | NoRates) -> Iterator[Finding]:
-    """Does every motion of the loop decay, and does a reduced-order law harm the modes that it left out?"""
-    criterion = "every mode of the closed loop decays"
+def rate_rows(found: Rates | NoRates, scenario: Scenario) -> Iterator[Finding]:
+    """Does every motion of the loop decay, and does a reduced-order law harm the modes that it left out? Without a control the
+    first is told of the structure alone, and not judged."""
+    alone = scenario.controller.kind == "none"
+    criterion = "every mode of the structure alone decays" if alone else "every mode of the closed loop decays"
     if isinstance(found, NoRates):
         yield Finding.of("rates", "rates.slowest", criterion, "not a linear law", None, found.reason, {})
         return
@@ -22,13 +26,14 @@ def rate_rows(found: Rates | NoRates) -> Iterator[Finding]:
         "rates.slowest",
         criterion,
         f"slowest {found.rate:.3g} 1/s, {whose}; {len(found.modes)} modes",
-        found.rate >= 0 and not found.growing,
-        (found.notes[-1] if found.with_modes else found.notes[0]) if found.notes else "Each mode has its rate: see the table.",
+        found.rate > 0,
+        rate_meaning(found),
         {
             "slowest rate": Quantity(found.rate, "1/s"),
             "rate, by mode": Quantity(tuple(mode.rate for mode in found.modes), "1/s"),
             "frequency, by mode": Quantity(tuple(mode.frequency for mode in found.modes), "Hz"),
         },
+        judged=not alone,
     )
     spilt = found.spillover
     if spilt is None:
@@ -50,6 +55,21 @@ def rate_rows(found: Rates | NoRates) -> Iterator[Finding]:
         else "The structure's own damping outweighs what the law does to modes that it does not know of.",
         {"slowed": Quantity(spilt.slowed), "worst change": Quantity(spilt.change, "1/s"), "growing": Quantity(spilt.growing)},
     )
+
+
+def rate_meaning(found: Rates) -> str:
+    """What the slowest rate says, in words."""
+    if found.rate < 0:
+        return f"It grows, by {-found.rate:.3g} 1/s: left alone, the slightest motion runs away until something limits it."
+    if found.rate == 0:
+        rigid = [n for n in found.still if found.modes[n - 1].plant_frequency == 0]
+        swinging = [n for n in found.still if n not in rigid]
+        told = [f"mode {', '.join(map(str, swinging))} does not decay: nothing damps it"] if swinging else []
+        told += [f"mode {', '.join(map(str, rigid))} is rigid motion, which nothing brings back"] if rigid else []
+        said = "; ".join(told or ["what is no mode of the plant does not decay"]) + "."
+        return said[0].upper() + said[1:]
+    said = f"Left alone, every motion dies out; the slowest takes {np.log(3) / found.rate:.3g} s to fall to a third."
+    return f"{said} {found.notes[-1]}" if found.with_modes else said
 
 
 def bound_rows(found: Bounds, scenario: Scenario) -> Iterator[Finding]:

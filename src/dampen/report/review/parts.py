@@ -17,7 +17,6 @@ LOWEST = 10  # modes of the rates' table
 SLOWEST, LEFT_OUT = " (slowest)", ", left out"
 ACTING = {
     "continuous": "acting continuously",
-    "continuous twin": "acting continuously, which it does not in the run",
     "sampled": "acting from sample to sample",
 }
 
