@@ -88,11 +88,15 @@ def bound_rows(found: Bounds, scenario: Scenario) -> Iterator[Finding]:
         for port in found.ports
         if port.bound
     ]
+    most = "; ".join([f"{span}: V {max(found.measured[: found.trials]):.3g} of {max(found.bound):.3g} J", *ports])
+    broken = found.broken
     yield Finding.of(
         "bounds",
         "bounds.energy",
         criterion,
-        "; ".join([f"{span}: V {max(found.measured[: found.trials]):.3g} of {max(found.bound):.3g} J", *ports]),
+        most
+        if broken is None
+        else f"trial {broken.trial}, {broken.time:.6g} s: {broken.what} {broken.value:.6g} of {broken.bound:.6g} {broken.unit}",
         found.holds,
         " ".join(found.notes) or "The bound follows from the stated bounds of the disturbances alone.",
         values
