@@ -311,7 +311,7 @@ def test_what_nothing_damps_does_not_decay_and_round_off_is_no_growth() -> None:
     assert not answer.growing
     assert answer.still == tuple(range(1, 17))
     assert finding.verdict == "FAIL"
-    assert "does not decay: nothing damps it" in finding.meaning
+    assert finding.meaning == "Modes 1, 2, 3, 4 and so on (16 modes) do not decay: nothing damps them."
 
 
 def test_rigid_motion_that_nothing_holds_is_told() -> None:
@@ -340,10 +340,13 @@ def test_the_warning_of_an_inertia_shows_figures_only_where_they_bear_it_out() -
     text = next(note for note in own.notes if "inertia" in note)
     rates_shown = [rate for _, rate in own.with_modes]
     assert ("modes." in text) == bool(np.all(np.diff(rates_shown) < 0)), text
-    constant = payload_note({"hub": 1.0}, ((5, 1.55), (10, 1.55), (20, 1.55)), plant_damped=True)
+    constant = payload_note({"hub": 1.0}, ((5, 1.55), (10, 1.55), (20, 1.55)), plant_damped=True, own=True)
     assert "structure's own damping sets the slowest rate" in constant
     assert "1.55" not in constant
     assert "payload" not in constant
+    law_sets = dampen.read_scenario("flexible-arm-point-to-point")
+    assert "not yet what sets the slowest rate" in row(law_sets).meaning
+    assert "structure's own damping sets the slowest rate" in row(dampen.read_scenario("string-tip-mass")).meaning
 
 
 def held_step(sample, state, parameters, command):  # type: ignore[no-untyped-def]

@@ -55,8 +55,9 @@ def payloads(modes: Modes, damped: Array) -> dict[str, float]:
     return found
 
 
-def payload_note(payload: dict[str, float], slowest: Sequence[tuple[int, float]], plant_damped: bool) -> str:
-    """The warning that comes with an inertia at the law's ports; its figures where they bear it out."""
+def payload_note(payload: dict[str, float], slowest: Sequence[tuple[int, float]], plant_damped: bool, own: bool) -> str:
+    """The warning that comes with an inertia at the law's ports; its figures where they bear it out. own: whether the rate of
+    the slowest motion is for the most part that of the plant alone."""
     where = f"There is inertia where the law damps, at {', '.join(payload)}"
     rates = [rate for _, rate in slowest]
     if len(rates) > 1 and all(after < FALLS * before for before, after in pairwise(rates)):
@@ -69,9 +70,10 @@ def payload_note(payload: dict[str, float], slowest: Sequence[tuple[int, float]]
         return (
             f"{where}: the higher a mode, the less it moves there; {left}. The slowest of the modes kept decays at {falls} modes."
         )
-    if plant_damped:
+    if own:
         return f"{where}: what the law adds falls towards high modes; the structure's own damping sets the slowest rate."
-    return f"{where}: the continuum has no uniform decay rate, though with these few modes it does not show."
+    left = "only the plant's own damping is left" if plant_damped else "no uniform decay rate is left"
+    return f"{where}: towards high modes {left}. Among the modes kept it is not yet what sets the slowest rate."
 
 
 def evidence(model: ModalModel, slowest: Callable[[ModalModel], float]) -> tuple[tuple[int, float], ...]:

@@ -21,6 +21,7 @@ from dampen.simulation.setting import setting_of
 
 Array = np.ndarray
 Loop = Literal["continuous", "sampled"]
+OWN = 0.5  # of a rate in the loop: a plant's own that is more sets it
 AT_MOST = 1e-6  # of the largest eigenvalue: what round-off may hide of a rate, however ill-conditioned
 
 
@@ -155,9 +156,13 @@ def _by_ports(scenario: Scenario, bench: Bench, setting: Setting, law: PortLaw, 
     slowest: tuple[tuple[int, float], ...] = ()
     if payload and all(port in payload for port, is_damped in zip(scenario.ports, damped, strict=True) if is_damped):
         slowest = evidence(bench.modes, lambda model: slowest_of(around(model)))
-        notes.append(payload_note(payload, slowest, bench.modes.damped))
     how: Loop = "sampled" if sampled else "continuous"
-    return replace(table(around(bench.modes), plant, how, None, notes), with_modes=slowest)
+    whole = table(around(bench.modes), plant, how, None, notes)
+    if not slowest:
+        return whole
+    own = whole.slowest is not None and whole.modes[whole.slowest - 1].plant_rate > OWN * whole.rate
+    said = payload_note(payload, slowest, bench.modes.damped, own)
+    return replace(whole, with_modes=slowest, notes=(*whole.notes, said))
 
 
 def slowest_of(found: Eigenvalues) -> float:

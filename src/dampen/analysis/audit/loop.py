@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 
 import numpy as np
 
@@ -10,6 +10,8 @@ from dampen.analysis.audit.finding import Finding, Quantity
 from dampen.analysis.bounds import Bounds
 from dampen.analysis.rates import NoRates, Rates
 from dampen.simulation.scenario import Scenario
+
+FEW = 4  # modes that are listed
 
 
 def rate_rows(found: Rates | NoRates, scenario: Scenario) -> Iterator[Finding]:
@@ -64,12 +66,24 @@ def rate_meaning(found: Rates) -> str:
     if found.rate == 0:
         rigid = [n for n in found.still if found.modes[n - 1].plant_frequency == 0]
         swinging = [n for n in found.still if n not in rigid]
-        told = [f"mode {', '.join(map(str, swinging))} does not decay: nothing damps it"] if swinging else []
-        told += [f"mode {', '.join(map(str, rigid))} is rigid motion, which nothing brings back"] if rigid else []
+        told = (
+            [f"{numbered(swinging, 'does', 'do')} not decay: nothing damps {'it' if len(swinging) == 1 else 'them'}"]
+            if swinging
+            else []
+        )
+        told += [f"{numbered(rigid, 'is', 'are')} rigid motion, which nothing brings back"] if rigid else []
         said = "; ".join(told or ["what is no mode of the plant does not decay"]) + "."
         return said[0].upper() + said[1:]
     said = f"Left alone, every motion dies out; the slowest takes {np.log(3) / found.rate:.3g} s to fall to a third."
     return f"{said} {found.notes[-1]}" if found.with_modes else said
+
+
+def numbered(modes: Sequence[int], one: str, many: str) -> str:
+    """Modes by number, a few of them, and the verb that follows."""
+    listed = ", ".join(map(str, modes[:FEW]))
+    if len(modes) == 1:
+        return f"mode {listed} {one}"
+    return f"modes {listed}{f' and so on ({len(modes)} modes)' if len(modes) > FEW else ''} {many}"
 
 
 def bound_rows(found: Bounds, scenario: Scenario) -> Iterator[Finding]:
