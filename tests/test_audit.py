@@ -2,19 +2,21 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from functools import cache
 
 import numpy as np
 import pytest
 
 import dampen
+from dampen.analysis.audit.assumptions import repetition
 from dampen.analysis.audit.audit import Audit, audit
 from dampen.analysis.audit.boundedness import bounded
 from dampen.analysis.audit.energetics import dissipation_by_quadrature
 from dampen.analysis.audit.resolution import resolution
 from dampen.analysis.audit.sticking import left, longest_stick
 from dampen.analysis.refinement import figures_of_merit
+from dampen.port import Site
 from dampen.simulation.bench import Bench
 
 DIRECT = ("controller.compensate=false", "task.trials=12", "numerics.modes=40")
@@ -55,6 +57,35 @@ def test_learning_laws_are_held_to_equal_starts_and_to_repetition() -> None:
     assert assumptions_that_fail(audited("flexible-arm-point-to-point", "task.trials=3")) == {"equal-starts"}
     drifting = ('disturbance={kind="harmonics", frequencies=[0.7], force={hub=[0.05]}, trials="continue"}',)
     assert assumptions_that_fail(audited("flexible-arm-point-to-point", *arm, *drifting)) == {"repetition"}
+
+
+@dataclass(frozen=True)
+class Silent(dampen.Disturbance):
+    """The same in every trial, or from some trial on another one, without saying so."""
+
+    changes: int = 99
+
+    def at_ports(self, trial: int, t: np.ndarray, site: Site) -> np.ndarray:
+        return np.outer(np.sin(2 * np.pi * t) * (2.0 if trial >= self.changes else 1.0), np.full(len(site.ports), 0.01))
+
+
+@pytest.mark.parametrize(("changes", "differ"), [(99, ()), (1, tuple(range(1, 8))), (7, (7,))])
+def test_a_disturbance_that_does_not_say_that_it_repeats_is_looked_at(changes: int, differ: tuple[int, ...]) -> None:
+    arm = dampen.read_scenario("flexible-arm-point-to-point", ["task.trials=8", "task.reset_error={}"])
+    result = dampen.simulate(replace(arm, disturbance=Silent(changes)))
+    (row,) = repetition(result, Bench(result.scenario))
+    assert row.values["trials that differ"].value == differ
+    assert row.verdict == ("FAIL" if differ else "PASS")
+
+
+def test_noise_is_named_where_a_sampled_law_feeds_energy_in() -> None:
+    blow = 'disturbance={kind="impulse", duration=0.02, impulse={tip=0.1}, trial=0}'
+    row = audited("assembled-from-fe", blow)["energy.control-takes"]
+    assert row.verdict == "FAIL"
+    assert "noise of 1e-05 m" in row.meaning
+    assert "RMS" in row.meaning
+    exact = audited("assembled-from-fe", blow, "sampling.noise={}")["energy.control-takes"]
+    assert "noise" not in exact.meaning
 
 
 def test_a_law_that_feeds_energy_in_is_flagged() -> None:

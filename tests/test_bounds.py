@@ -11,7 +11,8 @@ from pydantic import TypeAdapter
 from scipy.integrate import solve_ivp
 
 import dampen
-from dampen.analysis.bounds import Bounds, bounds
+from dampen.analysis.audit.loop import bound_rows
+from dampen.analysis.bounds import Bounds, bounds, energy
 from dampen.analysis.growth import largest_energy
 from dampen.analysis.supply import deviation
 from dampen.controllers.inner_loop import FlankInverse
@@ -145,6 +146,69 @@ def test_the_bound_of_a_light_boom_holds_under_both_of_its_laws(law: dampen.Cont
     answer = bounds(run)
     assert not answer.reason
     assert answer.holds
+
+
+STILL = ("numerics.modes=12", "plant.initial={}", "task.trials=2")
+
+
+def damped_by(damping: float, step: float, disturbance: dampen.Disturbance, stiffness: float = 0.0) -> dampen.Scenario:
+    law = dampen.BoundaryDamping(damping=dict.fromkeys(PORTS, damping), stiffness=dict.fromkeys(PORTS, stiffness))
+    base = scenario(*STILL, f"numerics.step={step}", "output.every=20", "task.trial_duration=5")
+    task = replace(base.task, constraint={})
+    return replace(base, controller=law, actuators={}, disturbance=disturbance, bounds=LIKE, task=task)
+
+
+@pytest.mark.parametrize(("damping", "step"), [(500.0, 1e-3), (50.0, 5e-3), (500.0, 5e-4)])
+def test_what_the_steps_compliance_lets_in_is_in_the_bound(damping: float, step: float) -> None:
+    """Strong damping holds the port; what the constant force then does, it does through the compliance."""
+    answer = of(damped_by(damping, step, dampen.ConstantLoad(force=LIKE)))
+    assert answer.holds
+    assert answer.broken is None
+
+
+def test_what_the_compliance_adds_to_the_bound_falls_with_the_step() -> None:
+    law, load = 1.0, dampen.ConstantLoad(force=LIKE)
+    exact = 2 * 0.3**2 / (4 * law) * 10
+    beyond = [of(damped_by(law, step, load)).bound[-1] - exact for step in (1e-2, 5e-3)]
+    assert 0 < beyond[1] < 0.6 * beyond[0]
+
+
+@pytest.mark.parametrize(("damping", "stiffness", "step"), [
+    (0.1, 0.0, 1e-2), (5.0, 0.0, 1e-2), (500.0, 0.0, 1e-2), (5000.0, 0.0, 1e-2), (50.0, 50.0, 1e-2), (50.0, 5000.0, 5e-3),
+])  # fmt: skip
+def test_bang_bang_disturbances_in_phase_with_the_motion_do_not_break_the_bound(
+    damping: float, stiffness: float, step: float
+) -> None:
+    """Each round pushes with the sign of what the last one moved, from a first push that is all one way and one at random."""
+    case = replace(damped_by(damping, step, dampen.NoDisturbance(), stiffness), task=dampen.Task(trials=1, trial_duration=1.0))
+    case = replace(case, output=dampen.Output(every=1, points=2))
+    for signs in (np.ones((case.steps, 2)), np.sign(np.random.default_rng(1).standard_normal((case.steps, 2)))):
+        for _ in range(4):
+            table = signs
+            force = {
+                port: lambda t, p=p, table=table: 0.3 * table[np.clip((t / step).astype(int), 0, len(table) - 1), p]
+                for p, port in enumerate(PORTS)
+            }
+            run = dampen.simulate(replace(case, disturbance=dampen.FunctionDisturbance(highest_frequency=3.0, force=force)))
+            answer = bounds(run)
+            assert answer.holds, answer.broken
+            signs = np.where(np.diff(np.asarray(run["y"][0]), axis=0) >= 0, 1.0, -1.0)
+
+
+def test_a_broken_bound_is_told_where_it_broke() -> None:
+    strong = dampen.ConstantLoad(force={"tip_w": 3.0})
+    run = dampen.simulate(
+        beam(replace(DAMPED, damping=dict.fromkeys(PORTS, 0.1)), actuators={}, disturbance=strong, bounds={"tip_w": 0.0})
+    )
+    answer = bounds(run)
+    assert answer.broken is not None
+    k = int(np.argmin(np.abs(run.time - answer.broken.time)))
+    if answer.broken.what == "V":
+        assert energy(run, answer.broken.trial)[k] == answer.broken.value
+    assert answer.broken.value > answer.broken.bound
+    (finding,) = bound_rows(answer, run.scenario)
+    assert finding.verdict == "FAIL"
+    assert f"trial {answer.broken.trial}, {answer.broken.time:.6g} s" in finding.measured
 
 
 def test_without_a_disturbance_energy_cannot_rise_and_the_bound_is_the_start() -> None:

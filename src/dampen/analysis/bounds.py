@@ -33,12 +33,26 @@ class PortBound:
 
 
 @dataclass(frozen=True)
+class Breach:
+    """Where a bound was first broken: what ("V" or a port's "|y| at ..."), trial, time in it [s], the value there and its bound
+    there."""
+
+    what: str
+    unit: str
+    trial: int
+    time: float
+    value: float
+    bound: float
+
+
+@dataclass(frozen=True)
 class Bounds:
     """Largest V = energy + energy of barrier and stiffness in each trial [J], and |y|, bound beside measured.
 
     reason: why there is no bound; empty where there is one.   trials: how many trials, the first, the bound speaks of.
     bound: (trials,) by trial.   measured: of all finished trials.   holds: whether both stay within their bounds at all times
-    that they speak of; None without a bound.   notes: what has to be known with the numbers, one line each.
+    that they speak of; None without a bound.   broken: where not, for the first time.   notes: what has to be known with the
+    numbers, one line each.
     """
 
     reason: str
@@ -47,6 +61,7 @@ class Bounds:
     measured: tuple[float, ...]
     ports: tuple[PortBound, ...]
     holds: bool | None
+    broken: Breach | None
     notes: tuple[str, ...]
 
 
@@ -63,9 +78,18 @@ def bounds(result: Result, bench: Bench | None = None) -> Bounds:
 
         |y_p| <= sqrt(2 V / (1/k_pp + gain_p stiffness_p)),    k_pp = sum_i b_pi^2 / omega_i^2,    gain_p barrier_p V_b(y_p) <= V
 
-    It is exact for the law in continuous time; what the steps' numerical compliance adds vanishes with the step. It may be
-    loose: without dissipation in excess of the disturbance, V grows like t^2. A law that learns is passive as long
-    as it has learned nothing: its bound is that of trial 0.
+    That is the law in continuous time. In steps the law sees v, and the port moves with v - soft (x + z) in the mean of a step
+    (`simulation.closure`, R = RELAXATION): B = L + P, L the delivered force but for P, that of the potentials, which answers to
+    the port's own velocity; x = L - L_slow, z = P - P_slow. L gives the structure L (v - soft x - soft z), of which
+    soft L x dt = change of soft dt L_slow^2 / (2 R) + (1 - R/2) soft x^2 dt; that storage, empty at the start, counts with V.
+    The disturbance gives d (v - soft x - soft z). So V' is larger by at most
+
+        d_bar soft |x| - (1 - R/2) soft x^2 <= soft d_bar^2 / (4 (1 - R/2)),    |L + d| soft |z|,    |z| <= 2 |P|
+
+    with |P| <= sqrt(gain stiffness) sqrt(2 V), see `Supply`. All of it vanishes with the step, as soft does. For the barrier,
+    whose force no multiple of sqrt(2 V) bounds, soft |z| is left out. The bound may be loose: without dissipation in excess of
+    the disturbance, V grows like t^2. A law that learns is passive as long as it has learned nothing: its bound is that of
+    trial 0.
     """
     if not result.trials:
         return _table(result, None, 0, "No trial was finished.")
@@ -82,14 +106,21 @@ def bounds(result: Result, bench: Bench | None = None) -> Bounds:
         return _table(result, None, 0, str(reason))
     allowed = over_trials(result, given, [float(energy(result, j)[0]) for j in range(trials)])
     reach = [port_reach(law, setting, bench, scenario.controller.barrier_shape, p) for p in range(len(scenario.ports))]
-    held = all(within(energy(result, j), bound) for j, bound in enumerate(allowed))
-    limits = []
+    breaches, limits = [], []
+    for j, bound in enumerate(allowed):
+        breaches.append(breach("V", "J", j, result.time, energy(result, j), bound))
     for p, most in enumerate(reach):
-        at_port = [most(bound) for bound in allowed]
-        held &= all(within(np.abs(np.asarray(result["y"][j])[:, p]), bound) for j, bound in enumerate(at_port))
+        port, at_port = scenario.plant.ports[p], [most(bound) for bound in allowed]
+        for j, bound in enumerate(at_port):
+            y = np.abs(np.asarray(result["y"][j])[:, p])
+            breaches.append(breach(f"|y| at {port.name}", port.motion_unit, j, result.time, y, bound))
         limits.append(tuple(float(bound[-1]) for bound in at_port if np.isfinite(bound[-1])))
+    broken = min((b for b in breaches if b is not None), key=lambda b: (b.trial, b.time), default=None)
     bare = _table(result, given, trials, "", limits)
-    return replace(bare, bound=tuple(float(b[-1]) for b in allowed), holds=held, notes=notes(result, memory, given))
+    said = notes(result, memory, given)
+    if broken is not None and np.any(setting.gains * law.barrier > 0):
+        said += ("What the steps' compliance exchanges with the barrier is not in the bound: half the step tells it apart.",)
+    return replace(bare, bound=tuple(float(b[-1]) for b in allowed), holds=broken is None, broken=broken, notes=said)
 
 
 def energy(result: Result, trial: int) -> Array:
@@ -112,7 +143,7 @@ def _table(
         for p, port in enumerate(result.scenario.plant.ports)
     )
     measured = tuple(float(energy(result, j).max()) for j in range(result.trials))
-    return Bounds(reason, trials, (), measured, ports, None, ())
+    return Bounds(reason, trials, (), measured, ports, None, None, ())
 
 
 def over_trials(result: Result, given: Supply, starts: Sequence[float]) -> list[Array]:
@@ -141,9 +172,13 @@ def port_reach(law: PortLaw, setting: Setting, bench: Bench, shape: str, p: int)
     return at_most
 
 
-def within(values: Array, bound: Array) -> bool:
-    """Whether values stay within their bound at all times, up to round-off."""
-    return bool(np.all(values <= bound * (1 + ROUND_OFF)))
+def breach(what: str, unit: str, trial: int, t: Array, values: Array, bound: Array) -> Breach | None:
+    """Where values leave their bound for the first time, by more than round-off."""
+    beyond = np.flatnonzero(~(values <= bound * (1 + ROUND_OFF)))
+    if not len(beyond):
+        return None
+    k = int(beyond[0])
+    return Breach(what, unit, trial, float(t[k]), float(values[k]), float(bound[k]))
 
 
 def notes(result: Result, memory: object, given: Supply) -> tuple[str, ...]:
@@ -153,6 +188,10 @@ def notes(result: Result, memory: object, given: Supply) -> tuple[str, ...]:
         found.append("What the law has learned can push as well as brake: the bound is that of trial 0, before it has learned.")
     if result.status == "constraint_lost" and result.scenario.controller.barrier_shape != "none":
         found.append("The constraint was lost: beyond it the barrier has no energy that a bound could hold.")
+    if given.growth * result.scenario.task.trial_duration * result.trials > 1:
+        found.append(
+            "Stiffness and damping behind the steps' compliance let the bound grow without end: a finer step tightens it."
+        )
     if given.load > 0:
         found.append("A load along the structure is not answered where it acts: under its bound alone V may grow without end.")
     loose = [n for n, push, d in zip(result.scenario.ports, given.push, given.damping, strict=True) if push > 0 and not d > 0]

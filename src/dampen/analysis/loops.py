@@ -11,6 +11,7 @@ from dampen.modal import ModalModel
 from dampen.stage import Stage
 
 Array = np.ndarray
+ROUND_OFF = 10 * float(np.finfo(float).eps)  # of the balanced matrix: backward error of its eigenvalues
 SETTLED = 1e-9  # an eigenvalue of a sampled loop below this is gone within a sample or two: commands that were under way
 
 
@@ -42,31 +43,41 @@ def closed_loop(model: ModalModel, damping: Array, stiffness: Array, chains: Seq
 @dataclass(frozen=True)
 class Eigenvalues:
     """s (modes,): for each plant mode its eigenvalue in the loop [1/s], Im s >= 0. others: all that are left; whose: for each
-    the number of the plant mode, from 0, that has the largest share in it, or the number of modes for what is no plant mode."""
+    the number of the plant mode, from 0, that has the largest share in it, or the number of modes for an actuator's lag, and
+    one more for what the controller keeps. s_noise, others_noise: what round-off leaves unknown of each [1/s]."""
 
     s: Array
     others: Array
     whose: Array
+    s_noise: Array
+    others_noise: Array
 
 
-def eigenvalues(matrix: Array, plant: Array, dt: float | None = None) -> Eigenvalues:
+def eigenvalues(matrix: Array, plant: Array, dt: float | None = None, lags: int | None = None) -> Eigenvalues:
     """The eigenvalues of x' = A x, or with `dt` of x+ = A x as s = ln(z) / dt, given to the modes of the plant.
 
-    matrix: (size, size), x: all q, all q', the rest.   plant: (modes,) eigenvalues of the plant alone.   dt: [s].
+    matrix: (size, size), x: all q, all q', the outputs of `lags` lags (None: all the rest is that), what the controller keeps.
+    plant: (modes,) eigenvalues of the plant alone.   dt: [s].
     Each plant mode gets the one in which it takes part most, all modes together: participation factors |l_ik r_ki| of left and
     right eigenvectors, which do not depend on units. A mode that no longer swings has two real ones, and gets the slower. The
     frequency of a mode beyond half the sample rate is told from its samples only up to multiples of it: the nearest to the
     plant's is taken. Source: Perez-Arriaga, Verghese and Schweppe, IEEE Trans. Power Apparatus and Systems 101, 1982.
+
+    An eigenvalue is known up to the backward error of the balanced matrix times its condition |l| |r| / |l . r|.
     """
-    from scipy.linalg import eig
+    from scipy.linalg import eig, matrix_balance
     from scipy.optimize import linear_sum_assignment
 
     n = len(plant)
-    value, left, right = eig(matrix, left=True, right=True)
-    part = np.abs(left * right)
-    share = np.vstack([part[:n] + part[n : 2 * n], part[2 * n :].sum(axis=0)]) / np.maximum(part.sum(axis=0), 1e-300)
+    balanced: Array = np.asarray(matrix_balance(matrix, permute=False)[0])
+    value, left, right = eig(balanced, left=True, right=True)
+    part, after = np.abs(left * right), len(matrix) if lags is None else 2 * n + lags
+    share = np.vstack([part[:n] + part[n : 2 * n], part[2 * n : after].sum(axis=0), part[after:].sum(axis=0)])
+    share /= np.maximum(part.sum(axis=0), 1e-300)
+    condition = 1 / np.maximum(np.abs(np.sum(left.conj() * right, axis=0)), ROUND_OFF)  # both have length 1
+    noise = ROUND_OFF * np.linalg.norm(balanced, 2) * condition / (1.0 if dt is None else dt * np.maximum(np.abs(value), SETTLED))
     kept = (value.imag >= 0) & ((dt is None) | (np.abs(value) > SETTLED))
-    share, value = share[:, kept], value[kept]
+    share, value, noise = share[:, kept], value[kept], noise[kept]
     s = value if dt is None else np.log(value) / dt
     taken = linear_sum_assignment(share[:n], maximize=True)[1]
     whose = np.argmax(share, axis=0)
@@ -76,7 +87,7 @@ def eigenvalues(matrix: Array, plant: Array, dt: float | None = None) -> Eigenva
             taken[i] = k
     rest = np.setdiff1d(np.arange(len(s)), taken)
     own = s[taken] if dt is None else unfolded(s[taken], plant.imag, dt)
-    return Eigenvalues(own, s[rest], whose[rest])
+    return Eigenvalues(own, s[rest], whose[rest], noise[taken], noise[rest])
 
 
 def unfolded(s: Array, near: Array, dt: float) -> Array:

@@ -2,26 +2,26 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
+from itertools import pairwise
 
 import numpy as np
 
-from dampen.analysis.loops import closed_loop
 from dampen.controllers.base import PortLaw, Setting
 from dampen.modal import ModalModel
 from dampen.plants.base import Modes
 from dampen.simulation.scenario import Scenario
-from dampen.stage import Stage
 
 Array = np.ndarray
+FALLS = 0.99  # a rate less than this of the one before has fallen
 WHERE = 1e-9  # lumps and ports nearer than this share of the span are in one place
 
 
 def law_notes(scenario: Scenario, law: PortLaw, setting: Setting) -> list[str]:
     """What the linear loop leaves out of the law."""
     notes = []
-    if scenario.sampled:
-        notes.append("The law acts through samples, port by port: the rates are those of the law acting continuously.")
+    if scenario.sampled and scenario.sampling.command_limit:
+        notes.append("The controller's limits of its commands are left out.")
     if np.any(setting.gains * law.barrier > 0):
         notes.append("The barrier counts with its curvature at zero error: farther out it is stiffer.")
     if scenario.controller.begin(setting):
@@ -55,24 +55,30 @@ def payloads(modes: Modes, damped: Array) -> dict[str, float]:
     return found
 
 
-def payload_note(payload: dict[str, float], slowest: Sequence[tuple[int, float]], plant_damped: bool) -> str:
-    """The warning that comes with a payload."""
-    falls = ", ".join(f"{rate:.3g} 1/s with {n}" for n, rate in slowest)
-    left = (
-        "towards high modes only the plant's own damping is left" if plant_damped else "the continuum has no uniform decay rate"
-    )
-    return (
-        f"There is a payload where the law damps, at {', '.join(payload)}: the higher a mode, the less it moves there; {left}. "
-        f"The slowest of the modes kept decays at {falls} modes."
-    )
+def payload_note(payload: dict[str, float], slowest: Sequence[tuple[int, float]], plant_damped: bool, own: bool) -> str:
+    """The warning that comes with an inertia at the law's ports; its figures where they bear it out. own: whether the rate of
+    the slowest motion is for the most part that of the plant alone."""
+    where = f"There is inertia where the law damps, at {', '.join(payload)}"
+    rates = [rate for _, rate in slowest]
+    if len(rates) > 1 and all(after < FALLS * before for before, after in pairwise(rates)):
+        falls = ", ".join(f"{rate:.3g} 1/s with {n}" for n, rate in slowest)
+        left = (
+            "towards high modes only the plant's own damping is left"
+            if plant_damped
+            else "the continuum has no uniform decay rate"
+        )
+        return (
+            f"{where}: the higher a mode, the less it moves there; {left}. The slowest of the modes kept decays at {falls} modes."
+        )
+    if own:
+        return f"{where}: what the law adds falls towards high modes; the structure's own damping sets the slowest rate."
+    left = "only the plant's own damping is left" if plant_damped else "no uniform decay rate is left"
+    return f"{where}: towards high modes {left}. Among the modes kept it is not yet what sets the slowest rate."
 
 
-def evidence(
-    model: ModalModel, damping: Array, stiffness: Array, chains: Sequence[Sequence[Stage]]
-) -> tuple[tuple[int, float], ...]:
+def evidence(model: ModalModel, slowest: Callable[[ModalModel], float]) -> tuple[tuple[int, float], ...]:
     """(modes, slowest rate [1/s]) of the loop around a quarter of the modes, a half, and all."""
     found = []
     for n in sorted({max(1, model.count // 4), max(1, model.count // 2), model.count}):
-        lowest = ModalModel(omega=model.omega[:n], b=model.b[:, :n], decay=model.decay[:n])
-        found.append((n, float(-np.linalg.eigvals(closed_loop(lowest, damping, stiffness, chains)).real.max())))
+        found.append((n, slowest(ModalModel(omega=model.omega[:n], b=model.b[:, :n], decay=model.decay[:n]))))
     return tuple(found)

@@ -10,7 +10,9 @@ import numpy as np
 
 from dampen.analysis.loops import Eigenvalues, closed_loop, eigenvalues, of_plant
 from dampen.analysis.rate_notes import evidence, law_notes, payload_note, payloads, stage_notes
+from dampen.analysis.sampled_ports import sampled_port_loop
 from dampen.controllers.base import PortLaw, SampledFeedback, Setting
+from dampen.modal import ModalModel
 from dampen.simulation.bench import Bench
 from dampen.simulation.compose import BARRIERS
 from dampen.simulation.passes import begun, law_of
@@ -18,8 +20,9 @@ from dampen.simulation.scenario import Scenario
 from dampen.simulation.setting import setting_of
 
 Array = np.ndarray
-Loop = Literal["continuous", "continuous twin", "sampled"]
-GROWING = 1e-9  # of the largest eigenvalue: growth below this is round-off
+Loop = Literal["continuous", "sampled"]
+OWN = 0.5  # of a rate in the loop: a plant's own that is more sets it
+AT_MOST = 1e-6  # of the largest eigenvalue: what round-off may hide of a rate, however ill-conditioned
 
 
 @dataclass(frozen=True)
@@ -69,11 +72,11 @@ class Spillover:
 
 @dataclass(frozen=True)
 class Rates:
-    """Decay rates of a closed loop. loop: how the law acts in it; "continuous twin": a law port by port that acts through
-    samples, whose rates are those of the same law acting continuously.
+    """Decay rates of a closed loop. loop: how the law acts in it.
 
-    slowest, rate: number (None: no mode of the plant) and rate of the slowest motion in the loop [1/s], negative where one grows.
-    growing: numbers of the plant modes that grow.   with_modes: (modes, slowest rate) of fewer modes, where a payload leaves
+    slowest, rate: number (None: no mode of the plant) and rate of the slowest motion in the loop [1/s], negative where one grows,
+    0 where it is zero to round-off.   growing, still: numbers of the plant modes that grow, and of those that neither grow nor
+    decay.   with_modes: (modes, slowest rate) of fewer modes, where a payload leaves
     the continuum without a uniform rate.   notes: what has to be known with the numbers, one line each.
     """
 
@@ -83,6 +86,7 @@ class Rates:
     slowest: int | None
     rate: float
     growing: tuple[int, ...]
+    still: tuple[int, ...]
     spillover: Spillover | None
     with_modes: tuple[tuple[int, float], ...]
     notes: tuple[str, ...]
@@ -106,18 +110,19 @@ def rates(scenario: Scenario, bench: Bench | None = None) -> Rates | NoRates:
     counts with its slope in full motion, and a lag with its time constant; gaps, limits and memory are left out, and a note
     names them: the rates then hold where motion is large against a gap and within the limits. Feedforward, reference,
     disturbance and what is learned between trials do not move the eigenvalues; the law is that of trial 0. A law that acts
-    through samples on all ports together tells its loop itself, `Controller.sampled_loop`.
+    port by port through samples is taken with its estimator, hold and delay; one that acts through samples on all ports
+    together tells its loop itself, `Controller.sampled_loop`.
     """
     bench = bench or Bench(scenario)
     setting, controller = setting_of(scenario, bench=bench), scenario.controller
     sampled = controller.sampled_loop(setting) if scenario.sampled else None
-    plant, chains = of_plant(bench.modes), [scenario.chain(p) for p in range(len(scenario.ports))]
+    plant, lags = of_plant(bench.modes), sum(map(len, setting.lags))
     if sampled is not None:
-        found = eigenvalues(sampled.matrix, plant, setting.dt)
-        lagging = [port for port, chain in zip(scenario.ports, chains, strict=True) if any(s.lag_time > 0 for s in chain)]
-        notes = [f"The loop from sample to sample leaves out the actuator's lag at {', '.join(lagging)}."] if lagging else []
-        notes += stage_notes(scenario, setting, list(setting.gains > 0))
-        return table(found, plant, "sampled", sampled.known, notes)
+        lagging = [port for port, times in zip(scenario.ports, setting.lags, strict=True) if times]
+        if sampled.lags != lags:
+            return NoRates(f"The loop that the law tells leaves out the actuator's lag at {', '.join(lagging)}.")
+        found = eigenvalues(sampled.matrix, plant, setting.dt, lags)
+        return table(found, plant, "sampled", sampled.known, stage_notes(scenario, setting, list(setting.gains > 0)))
     if isinstance(controller, SampledFeedback):
         name = type(controller).__name__
         return NoRates(f"{name} acts through samples by its own function, without `sampled_loop`: its loop is unknown.")
@@ -128,18 +133,48 @@ def rates(scenario: Scenario, bench: Bench | None = None) -> Rates | NoRates:
             f"The law has a coulomb term at {', '.join(dry)}: it is set-valued at rest, where the port sticks, and no linear "
             "loop stands for it."
         )
-    stiffness = law.stiffness + barrier_stiffness(law, setting, controller.barrier_shape)
-    found = eigenvalues(closed_loop(bench.modes, law.damping, stiffness, chains), plant)
+    return _by_ports(scenario, bench, setting, law, plant)
+
+
+def _by_ports(scenario: Scenario, bench: Bench, setting: Setting, law: PortLaw, plant: Array) -> Rates:
+    """The rates of a law port by port."""
+    stiffness = law.stiffness + barrier_stiffness(law, setting, scenario.controller.barrier_shape)
+    chains = [scenario.chain(p) for p in range(len(scenario.ports))]
+    sampled = scenario.sampled
+
+    def around(model: ModalModel) -> Eigenvalues:
+        alone = of_plant(model)
+        if sampled:
+            loop = sampled_port_loop(model, law, stiffness, scenario.sampling, setting)
+            return eigenvalues(loop, alone, setting.dt, sum(map(len, setting.lags)))
+        return eigenvalues(closed_loop(model, law.damping, stiffness, chains), alone)
+
     driven = setting.gains * (law.damping + law.stiffness + law.barrier) > 0
     notes = law_notes(scenario, law, setting) + stage_notes(scenario, setting, list(driven))
     damped = setting.gains * law.damping > 0
     payload = payloads(bench.modes, damped)
     slowest: tuple[tuple[int, float], ...] = ()
     if payload and all(port in payload for port, is_damped in zip(scenario.ports, damped, strict=True) if is_damped):
-        slowest = evidence(bench.modes, law.damping, stiffness, chains)
-        notes.append(payload_note(payload, slowest, bench.modes.damped))
-    how: Loop = "continuous twin" if scenario.sampled else "continuous"
-    return replace(table(found, plant, how, None, notes), with_modes=slowest)
+        slowest = evidence(bench.modes, lambda model: slowest_of(around(model)))
+    how: Loop = "sampled" if sampled else "continuous"
+    whole = table(around(bench.modes), plant, how, None, notes)
+    if not slowest:
+        return whole
+    own = whole.slowest is not None and whole.modes[whole.slowest - 1].plant_rate > OWN * whole.rate
+    said = payload_note(payload, slowest, bench.modes.damped, own)
+    return replace(whole, with_modes=slowest, notes=(*whole.notes, said))
+
+
+def slowest_of(found: Eigenvalues) -> float:
+    """The rate of the slowest motion [1/s]."""
+    return float(min(clean(found.s, found).min(), clean(found.others, found).min(initial=np.inf)))
+
+
+def clean(s: Array, found: Eigenvalues) -> Array:
+    """The rates of eigenvalues of a loop [1/s], zero where they are within round-off of it."""
+    noise = found.s_noise if s is found.s else found.others_noise
+    most = AT_MOST * max(np.abs(found.s).max(), np.abs(found.others).max(initial=0.0))
+    return np.where(np.abs(s.real) <= np.minimum(noise, most), 0.0, -s.real)
 
 
 def table(found: Eigenvalues, plant: Array, loop: Loop, known: int | None, notes: list[str]) -> Rates:
@@ -149,16 +184,18 @@ def table(found: Eigenvalues, plant: Array, loop: Loop, known: int | None, notes
         LoopMode(i + 1, *_figures(s), _figures(alone)[0], _figures(alone)[1], known is None or i < known)
         for i, (s, alone) in enumerate(zip(found.s, plant, strict=True))
     )
-    rest: Literal["controller", "actuator"] = "controller" if loop == "sampled" else "actuator"
-    others = tuple(OtherMode("plant" if i < n else rest, *_figures(s)) for s, i in zip(found.others, found.whose, strict=True))
-    limit = -GROWING * max(np.abs(found.s).max(), np.abs(found.others).max(initial=0.0))
-    growing = tuple(m.number for m in modes if m.rate < limit)
-    slow = min(modes, key=lambda m: m.rate)
-    rate = min([slow.rate, *(m.rate for m in others)])
-    if rate < limit:
+    parts: tuple[Literal["actuator", "controller"], ...] = ("actuator", "controller")
+    others = tuple(
+        OtherMode("plant" if i < n else parts[i - n], *_figures(s)) for s, i in zip(found.others, found.whose, strict=True)
+    )
+    own, rate = clean(found.s, found), slowest_of(found)
+    growing, still = (tuple(int(i) + 1 for i in np.flatnonzero(which)) for which in (own < 0, own == 0))
+    slow = int(np.argmin(own))
+    if rate < 0:
         notes = [f"The loop grows by {-rate:.3g} 1/s: it is not stable.", *notes]
-    spilt = None if known is None or known >= n else _spillover(modes, known, limit)
-    return Rates(loop, modes, others, slow.number if slow.rate == rate else None, rate, growing, spilt, (), tuple(notes))
+    spilt = None if known is None or known >= n else _spillover(modes, known, found.s_noise, growing)
+    slowest = slow + 1 if own[slow] == rate else None
+    return Rates(loop, modes, others, slowest, rate, growing, still, spilt, (), tuple(notes))
 
 
 def _figures(s: complex) -> tuple[float, float, float]:
@@ -167,13 +204,13 @@ def _figures(s: complex) -> tuple[float, float, float]:
     return float(abs(s.imag) / (2 * np.pi)), rate, rate / float(abs(s)) if s else 0.0
 
 
-def _spillover(modes: Sequence[LoopMode], known: int, limit: float) -> Spillover:
+def _spillover(modes: Sequence[LoopMode], known: int, noise: Array, growing: Sequence[int]) -> Spillover:
     left = modes[known:]
-    slowed = [m for m in left if m.rate - m.plant_rate < limit]
+    slowed = [m for m in left if m.rate - m.plant_rate < -noise[m.number - 1]]
     worst = min(slowed, key=lambda m: m.rate - m.plant_rate, default=None)
     change = 0.0 if worst is None else worst.rate - worst.plant_rate
-    growing = tuple(m.number for m in left if m.rate < limit)
-    return Spillover(known, len(left), len(slowed), None if worst is None else worst.number, change, growing)
+    grow = tuple(number for number in growing if number > known)
+    return Spillover(known, len(left), len(slowed), None if worst is None else worst.number, change, grow)
 
 
 def barrier_stiffness(law: PortLaw, setting: Setting, shape: str) -> Array:

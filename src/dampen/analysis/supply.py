@@ -12,10 +12,14 @@ import numpy as np
 from dampen.analysis.growth import largest_energy
 from dampen.controllers.base import PortLaw, Setting
 from dampen.simulation.bench import Bench
+from dampen.simulation.closure import RELAXATION, SOFTNESS
 from dampen.simulation.scenario import Scenario
 from dampen.stage import Stage
 
 Array = np.ndarray
+
+
+MOST = 300.0  # exponent of the bound's growth beyond which it says nothing, and must not overflow
 
 
 class NoBound(Exception):
@@ -24,30 +28,53 @@ class NoBound(Exception):
 
 @dataclass(frozen=True)
 class Supply:
-    """V' <= sum_p max_v (push_p |v| - damping_p v^2) + load sqrt(2 V),    |v_p| <= reach_p sqrt(2 V)
+    """V' <= sum_p max_(v, x, z) [push_p |v| - damping_p v^2 + stated_p soft_p |x| - m soft_p x^2
+                                + (damping_p |v| + all_p) soft_p |z|] + load sqrt(2 V)
 
-    push: (ports,) [N, N m] what disturbance, feedforward and the actuator's deviation come to beyond dry friction.
-    damping: (ports,) as it is delivered [N s/m, N m s].   reach: (ports,) sqrt(sum_i b_pi^2) [1/sqrt(kg)].
-    load: f_bar sqrt(int dx / rho) [N/sqrt(kg)].
+    v: the velocity that the law sees.   x, z: how far the delivered force, but for barrier and stiffness, and that of the
+    stiffness are off their slow parts (`simulation.closure`); the port moves with v - soft (x + z).   m = 1 - RELAXATION / 2.
+    |v - soft (x + z)| <= reach sqrt(2 V),    |z| <= 2 sqrt(stiffness) sqrt(2 V).
+    push: (ports,) [N, N m] what disturbance, feedforward and the actuator's deviation come to beyond dry friction; all: together
+    with it.   damping, stiffness: (ports,) as delivered [N s/m, N m s], [N/m, N m].   reach: (ports,) sqrt(sum_i b_pi^2)
+    [1/sqrt(kg)].   load: f_bar sqrt(int dx / rho) [N/sqrt(kg)].   stated: (ports,) the disturbance's bound [N, N m].
+    soft: (ports,) numerical compliance, 0 where nothing is commanded [m/(N s), rad/(N m s)].
     """
 
     push: Array
+    all: Array
     damping: Array
+    stiffness: Array
     reach: Array
     load: float
+    stated: Array
+    soft: Array
+
+    @property
+    def growth(self) -> float:
+        """The rate k at which the bound grows by what the compliance exchanges between damping and stiffness [1/s]."""
+        return float(np.sum(2 * self.damping * self.soft**2 * self.stiffness))
 
     def largest(self, t: Array, initial: float) -> Array:
-        """(times,) the largest V that this allows [J]: for each port push^2 / (4 damping) or push reach sqrt(2 V), whichever
-        choice gives less at the time."""
-        either = [
-            ((push**2 / (4 * damping), 0.0), (0.0, push * reach)) if damping > 0 and push > 0 else ((0.0, push * reach),)
-            for push, damping, reach in zip(self.push, self.damping, self.reach, strict=True)
-        ]
+        """(times,) the largest V that this allows [J]: for each port the law's damping takes what pushes, or it is left out and
+        push reach sqrt(2 V) comes in; whichever choice gives less at the time. V' <= a + c sqrt(2 V) + k V lets V rise to
+        e^(k t) times what it would rise to without k."""
         bounds = []
-        for choice in product(*either):
+        for choice in product(*(self.choices(p) for p in range(len(self.push)))):
             power, push = (float(sum(terms)) for terms in zip(*choice, strict=True))
             bounds.append(largest_energy(t, initial, power, push + self.load))
-        return np.asarray(np.min(bounds, axis=0))
+        return np.asarray(np.min(bounds, axis=0) * np.exp(np.minimum(self.growth * t, MOST)))
+
+    def choices(self, p: int) -> list[tuple[float, float]]:
+        """Power [W] and push [N/sqrt(kg)] of a port, without what grows with V: push^2 / (4 damping) + soft stated^2 / (4 m) and
+        s (all + push / 2), or soft (stated + push)^2 / (4 m) and push reach + s (all + push), with
+        s = 2 soft sqrt(stiffness)."""
+        push, damping, everything, stated = (float(given[p]) for given in (self.push, self.damping, self.all, self.stated))
+        soft = float(self.soft[p]) / (4 - 2 * RELAXATION)
+        spring = float(2 * self.soft[p] * np.sqrt(self.stiffness[p]))
+        undamped = (soft * (stated + push) ** 2, push * float(self.reach[p]) + spring * (everything + push))
+        if push == 0 or damping == 0:
+            return [undamped]
+        return [(push**2 / (4 * damping) + soft * stated**2, spring * (everything + push / 2)), undamped]
 
 
 def supply(scenario: Scenario, law: PortLaw, setting: Setting, bench: Bench, disturbed: Sequence[bool]) -> Supply:
@@ -61,13 +88,23 @@ def supply(scenario: Scenario, law: PortLaw, setting: Setting, bench: Bench, dis
         raise NoBound("There is a reference: the error then moves by it too, and no stated bound says how much that brings in.")
     if np.any(law.barrier > 0) and not scenario.task.steady:
         raise NoBound("The constraint moves, and with it the barrier: that brings in energy that no stated bound covers.")
-    push = [_port_push(scenario, law, setting, bench, p, disturbed[p]) for p in range(len(scenario.ports))]
-    reach = np.sqrt(np.sum(bench.modes.b**2, axis=1))
-    return Supply(np.array(push), setting.gains * law.damping, reach, _load(scenario, bench))
+    given = [_port_push(scenario, law, setting, bench, p, disturbed[p]) for p in range(len(scenario.ports))]
+    push, everything = np.array(given).T
+    idle = np.array([_idle(scenario, law, bench, p) for p in range(len(scenario.ports))])
+    return Supply(
+        push=push,
+        all=everything,
+        damping=setting.gains * law.damping,
+        stiffness=setting.gains * law.stiffness,
+        reach=np.sqrt(np.sum(bench.modes.b**2, axis=1)),
+        load=_load(scenario, bench),
+        stated=setting.by_port(scenario.bounds),
+        soft=np.where(idle, 0.0, SOFTNESS * np.diag(bench.step.g)),
+    )
 
 
-def _port_push(scenario: Scenario, law: PortLaw, setting: Setting, bench: Bench, p: int, disturbed: bool) -> float:
-    """(d_bar + w + gain max |feedforward| - gain coulomb)_+ of one port [N, N m]."""
+def _port_push(scenario: Scenario, law: PortLaw, setting: Setting, bench: Bench, p: int, disturbed: bool) -> tuple[float, float]:
+    """(d_bar + w + gain max |feedforward| - gain coulomb)_+ of one port, and the same with + gain coulomb [N, N m]."""
     port, gain = scenario.ports[p], float(setting.gains[p])
     if port not in scenario.bounds and disturbed:
         raise NoBound(f"No bound is stated for the disturbance at {port}.")
@@ -76,7 +113,8 @@ def _port_push(scenario: Scenario, law: PortLaw, setting: Setting, bench: Bench,
         names = ", ".join(type(stage).__name__ for stage in scenario.chain(p) if not math.isfinite(sum(stage.deviation)))
         raise NoBound(f"At {port} {names} may deviate from its slope without limit.")
     given = scenario.bounds.get(port, 0.0) + max(high, -low) + gain * float(np.abs(law.feedforward[:, p]).max())
-    return max(given - gain * float(law.coulomb[:, p].min()), 0.0)
+    coulomb = law.coulomb[:, p]
+    return max(given - gain * float(coulomb.min()), 0.0), given + gain * float(coulomb.max())
 
 
 def deviation(chain: Sequence[Stage]) -> tuple[float, float]:

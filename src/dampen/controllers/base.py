@@ -28,7 +28,8 @@ class Setting:
     reference, low, high: (steps + 1, ports) what the ports are to follow in the trial ahead, and the limits of the tracking
     error e = y - reference.   bounds: by port name [N, N m], and "f" for the distributed load [N/m]; as stated in the scenario,
     true or not.   gains: (ports,) slope of each port's stages in full motion, what a unit of command delivers; 0 where there
-    is no actuator.   sampled: whether the law acts through samples, whose commands arrive `delay` [s] later.
+    is no actuator.   lags: for each port the time constants of its stages [s].   sampled: whether the law acts through samples,
+    whose commands arrive `delay` [s] later.
     model: the structure's modes.   response: (steps, ports, ports) the tracking error at the ends of the intervals, by port,
     after a unit of feedforward in the first interval, by port, with the law's own feedback at work; both computed when asked.
     kept: what a controller has worked out from all this and wants to find again in the run's next trial.
@@ -43,6 +44,7 @@ class Setting:
     high: Array
     bounds: Mapping[str, float]
     gains: Array = field(default_factory=lambda: np.ones(1))
+    lags: tuple[tuple[float, ...], ...] = ()
     sampled: bool = False
     delay: float = 0.0
     model: Callable[[], ModalModel] = field(default=lambda: _unknown())
@@ -132,12 +134,14 @@ class Trial:
 class SampledLoop(NamedTuple):
     """The closed loop of a linear sampled law around all modes of the structure, from sample to sample, x+ = matrix x.
 
-    x: q of all modes, q' of all modes, then what the law keeps: best the errors of its estimates, so that what belongs to the
-    structure and what to the observer stand apart. known: how many of the lowest modes the law is designed on.
+    x: q of all modes, q' of all modes, the output of every actuator's lag, then what the law keeps: best the errors of its
+    estimates, so that what belongs to the structure and what to the observer stand apart. known: how many of the lowest modes
+    the law is designed on. lags: how many lags are in x, of those in `Setting.lags`.
     """
 
     matrix: Array
     known: int
+    lags: int = 0
 
 
 class Controller(Component):

@@ -12,8 +12,9 @@ from typing_extensions import Doc
 
 from dampen.component import ArgumentError
 from dampen.controllers.base import Array, SampledFeedback, SampledLoop, SampledStep, Setting, named
+from dampen.controllers.sampled_plant import sampled_model, transition, under_way
 from dampen.controllers.scales import elastic, scales, span
-from dampen.modal import ModalModel, propagator
+from dampen.modal import ModalModel
 
 UNASKED = 1e-12  # weight at rest of a port that nobody asked to be anywhere
 
@@ -142,22 +143,24 @@ class LQG(SampledFeedback):
         return np.where(asked, given, UNASKED)
 
     def sampled_loop(self, setting: Setting) -> SampledLoop:
-        """The loop around all modes: x, with the commands under way, and e = x - x_hat of what the model has of it.
+        """The loop around all modes: x, with lags and commands under way, and e = x - x_hat of what the model has of it.
 
-        With x' for the corrected estimate, u = -hold x' and x' = x_hat + correct (y - C x_hat); x_hat+ = A x' + B u of the model.
+        With x' for the corrected estimate, u = -hold x' and x' = x_hat + correct (y - C x_hat); x_hat+ = A x' + B u of the model,
+        which knows nothing of lags.
         """
-        a, b, c = sampled_model(setting.model(), setting)
+        a, b, c = sampled_model(setting.model(), setting, setting.lags)
         d = self.design(setting)
         predict = d.a - d.b @ d.hold
         corrected = np.eye(len(d.a)) - d.correct @ d.c
         feed = -d.hold @ d.correct @ c
         loop = np.block([[a + b @ feed, -b @ d.hold @ corrected], [predict @ d.correct @ c, predict @ corrected]])
         count, known = setting.model().count, min(self.modes, setting.model().count)
-        seen = np.concatenate([np.arange(known), count + np.arange(known), np.arange(2 * count, len(a))])
+        lags = sum(map(len, setting.lags))
+        seen = np.concatenate([np.arange(known), count + np.arange(known), np.arange(2 * count + lags, len(a))])
         swap = np.eye(len(loop))  # (x, x_hat) to (x, e), and back
         swap[len(a) + np.arange(len(d.a)), seen] = 1
         swap[len(a) :, len(a) :] *= -1
-        return SampledLoop(swap @ loop @ swap, known)
+        return SampledLoop(swap @ loop @ swap, known, lags)
 
     def notes(self, setting: Setting) -> list[str]:
         """A warning where the modes that the design leaves out, or the rest of the loop, would grow."""
@@ -179,42 +182,6 @@ class LQG(SampledFeedback):
         push = np.zeros((size, len(setting.ports)))
         push[: len(held)] = held
         return push @ push.T
-
-
-def under_way(setting: Setting) -> int:
-    """How many samples' commands are on their way to the actuators."""
-    return int(np.ceil(setting.delay / setting.dt - 1e-9))
-
-
-def sampled_model(model: ModalModel, setting: Setting) -> tuple[Array, Array, Array]:
-    """(A, B, C) of the modes at the samples, with the commands that are under way as further states, oldest first."""
-    n, ports, late = model.count, len(setting.ports), under_way(setting)
-    free, push = transition(model, setting.dt)
-    push = push * setting.gains
-    c = np.hstack([model.b, np.zeros((ports, n + late * ports))])
-    if not late:
-        return free, push, c
-    wait = setting.delay - (late - 1) * setting.dt  # of the oldest command, whose successor acts from then on
-    size = 2 * n + late * ports
-    a, b = np.zeros((size, size)), np.zeros((size, ports))
-    end, end_push = transition(model, setting.dt - wait)
-    end_push, begin_push = end_push * setting.gains, transition(model, wait)[1] * setting.gains
-    a[: 2 * n, : 2 * n] = free
-    a[: 2 * n, 2 * n : 2 * n + ports] = end @ begin_push
-    if late > 1:
-        a[: 2 * n, 2 * n + ports : 2 * n + 2 * ports] = end_push
-    else:
-        b[: 2 * n] = end_push
-    a[2 * n : size - ports, 2 * n + ports :] = np.eye((late - 1) * ports)
-    b[size - ports :] = np.eye(ports)
-    return a, b, c
-
-
-def transition(model: ModalModel, seconds: float) -> tuple[Array, Array]:
-    """(A, B) of the modes over some time under held port forces; x is all q, then all q'."""
-    p = propagator(model, seconds)
-    a = np.block([[np.diag(p.c11), np.diag(p.c12)], [np.diag(p.c21), np.diag(p.c22)]])
-    return a, np.vstack([(p.psi * model.b).T, (p.c12 * model.b).T])
 
 
 def at_rest(a: Array, b: Array, c: Array, weight: Array) -> tuple[Array, Array]:

@@ -42,6 +42,7 @@ def setting_of(scenario: Scenario, bench: Bench | None = None, like: Setting | N
         high=unlimited,
         bounds=scenario.bounds,
         gains=np.array([math.prod(stage.gain for stage in scenario.chain(p)) for p in range(len(scenario.ports))]),
+        lags=tuple(tuple(s.lag_time for s in scenario.chain(p) if s.lag_time > 0) for p in range(len(scenario.ports))),
         sampled=scenario.sampled,
         delay=scenario.sampling.delay if scenario.sampled else 0.0,
         model=lambda: the_bench().modes,

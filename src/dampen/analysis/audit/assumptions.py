@@ -17,6 +17,7 @@ from dampen.simulation.result import Result
 Array = np.ndarray
 EQUAL = 1e-9  # of the largest displacement: closer starts are equal
 ROUND_OFF = 1 + 1e-12
+SAME = 1e-12  # of the largest: closer samples are equal
 
 
 def assumptions(result: Result, bench: Bench) -> Iterator[Finding]:
@@ -80,19 +81,16 @@ def equal_starts(result: Result, bench: Bench) -> Iterator[Finding]:
 
 def repetition(result: Result, bench: Bench) -> Iterator[Finding]:
     """Learning of what repeats: the same disturbance and reference in every trial."""
-    source, task = result.scenario.disturbance, result.scenario.task
-    shaken = [j for j in range(1, result.trials) if source.same_as(j) != source.same_as(0)]
-    asked = [
-        j
-        for j in range(1, result.trials)
-        if task.reference and np.any(result.scenario.reference(j) != result.scenario.reference(0))
-    ]
+    task = result.scenario.task
+    shaken, looked = shaken_otherwise(result, bench)
+    first = result.scenario.reference(0)
+    asked = [j for j in range(1, result.trials) if task.reference and np.any(result.scenario.reference(j) != first)]
     changed = sorted({*shaken, *asked})
     yield Finding.of(
         "assumptions",
         "assumption.repetition",
         "every trial has the disturbance and the reference of trial 0",
-        f"{len(changed)} of {result.trials} trials differ" if changed else "all alike",
+        (f"{len(changed)} of {result.trials} trials differ" if changed else "all alike") + looked,
         not changed,
         "What is to be learned repeats."
         if not changed
@@ -101,6 +99,30 @@ def repetition(result: Result, bench: Bench) -> Iterator[Finding]:
         else "The reference changes from trial to trial: what was learned belongs to another one.",
         {"trials that differ": Quantity(tuple(changed))},
     )
+
+
+def shaken_otherwise(result: Result, bench: Bench) -> tuple[list[int], str]:
+    """The trials whose disturbance is not that of trial 0, and how they were looked at.
+
+    What a disturbance does not say of itself, `same_as`, its samples say: in the first such trials, the middle and the last.
+    Trials in between are as those looked at.
+    """
+    source = result.scenario.disturbance
+    claimed = [j for j in range(1, result.trials) if source.same_as(j) != source.same_as(0)]
+    if not claimed:
+        return [], ""
+    first = [np.array(part) for part in bench.shaking(0)[:2]]  # a bench may keep only the last
+    some = sorted({*claimed[:2], claimed[len(claimed) // 2], claimed[-1]})
+    differ = [j for j in some if not all(map(alike, bench.shaking(j)[:2], first))]
+    if len(differ) == len(some):
+        return claimed, ""
+    return differ, f" of {len(some) + 1} that were looked at" if len(some) < len(claimed) else ""
+
+
+def alike(one: Array, other: Array) -> bool:
+    """Whether two samplings are the same to round-off."""
+    scale = max(np.abs(one).max(initial=0.0), np.abs(other).max(initial=0.0))
+    return bool(np.abs(one - other).max(initial=0.0) <= SAME * scale)
 
 
 def bounds(result: Result, bench: Bench) -> Iterator[Finding]:

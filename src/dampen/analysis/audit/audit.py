@@ -59,7 +59,7 @@ def audit(result: Result, *, refine: bool = True, bench: Bench | None = None) ->
         raise ArgumentError("Argument `result` must have a finished trial, but has none.")
     bench = bench or Bench(result.scenario)
     found, limits = rates(result.scenario, bench), bounds(result, bench)
-    loop = (*rate_rows(found), *bound_rows(limits, result.scenario))
+    loop = (*rate_rows(found, result.scenario), *bound_rows(limits, result.scenario))
     whole = Audit(result.scenario.name, (*findings(result, bench), *loop), found, limits)
     return refined(whole, result) if refine else whole
 

@@ -138,7 +138,7 @@ def takes(result: Result, account: EnergyAccount) -> Finding:
             f"It takes energy; it gave some in {len(feeding)} of {result.trials} trials." if len(feeding) else "It takes energy."
         )
     else:
-        meaning = "The control feeds energy into the structure: its gains, its delay or what it has learned push the wrong way."
+        meaning = feeding_meaning(result)
     return Finding.of(
         "energy",
         "energy.control-takes",
@@ -147,6 +147,34 @@ def takes(result: Result, account: EnergyAccount) -> Finding:
         holds,
         meaning,
         {"given by the control, by trial": Quantity(tuple(map(float, given)), "J")},
+    )
+
+
+def feeding_meaning(result: Result) -> str:
+    """What may be behind a control that gives energy."""
+    scenario = result.scenario
+    rough = {
+        port: [f"{what} {given[port]:.3g}" for what, given in sources if given.get(port, 0.0) > 0]
+        for port in scenario.ports
+        for sources in [(("noise of", scenario.sampling.noise), ("a quantum of", scenario.sampling.quantum))]
+    }
+    read = {port: words for port, words in rough.items() if words}
+    if not scenario.sampled or not read:
+        return "The control feeds energy into the structure: its gains, its delay or what it has learned push the wrong way."
+    units = {port.name: (port.motion_unit, port.effort_unit) for port in scenario.plant.ports}
+    late = max(result.trials - LATE, 0)
+    told = []
+    for p, port in enumerate(scenario.ports):
+        if port in read:
+            square = np.mean([np.mean(np.asarray(result["delivered"][j])[:, p] ** 2) for j in range(late, result.trials)])
+            motion, effort = units[port]
+            told.append(
+                f"{port} is read with {' and '.join(f'{w} {motion}' for w in read[port])}, force {square**0.5:.3g} {effort}"
+            )
+    return (
+        "The control feeds energy into the structure. The sensors may be why: what they add, the law answers with forces "
+        f"that move the structure ({'; '.join(told)} RMS, last {LATE} trials). Otherwise its gains, its delay or what it has "
+        "learned push the wrong way."
     )
 
 

@@ -17,7 +17,6 @@ LOWEST = 10  # modes of the rates' table
 SLOWEST, LEFT_OUT = " (slowest)", ", left out"
 ACTING = {
     "continuous": "acting continuously",
-    "continuous twin": "acting continuously, which it does not in the run",
     "sampled": "acting from sample to sample",
 }
 
@@ -92,7 +91,8 @@ def tables(record: Record, figures: Sequence[Any] = ()) -> list[Table]:
 
 def rates_table(found: Rates) -> Table:
     """The closed loop mode by mode: the lowest, and after a gap the slowest and the highest."""
-    shown = [m for m in found.modes if m.number <= LOWEST or m.number in (found.slowest, len(found.modes)) or m.rate < 0]
+    told = {found.slowest, len(found.modes), *found.growing}
+    shown = [m for m in found.modes if m.number <= LOWEST or m.number in told]
     known = any(not m.known for m in found.modes)
     columns = ["mode", "plant [Hz]", "plant decays [1/s]", "closed loop [Hz]", "decays [1/s]", "damping ratio"]
     rows = []
