@@ -433,6 +433,20 @@ def test_an_interrupt_before_the_first_run_is_one_line_and_leaves_nothing(
     assert not list(tmp_path.iterdir())
 
 
+def test_an_interrupt_in_code_that_a_library_makes_of_text_has_the_same_exit_status(tmp_path: Path) -> None:
+    code = (
+        "import sys, dampen.scenarios.read, dampen.cli\n"
+        "dampen.cli.err.print('Begun.')\n"  # loads what printing needs, which is made of text as well
+        "def cut(*_): exec('raise KeyboardInterrupt')\n"
+        "dampen.scenarios.read.read_scenario = cut\n"
+        "sys.argv = ['dampen', 'compare', 'he2017']\n"
+        "dampen.cli.main()\n"
+    )
+    (tmp_path / "cut.py").write_text(code)
+    done = subprocess.run([sys.executable, "-m", "cut"], cwd=tmp_path, capture_output=True, text=True, check=False)
+    assert (done.returncode, done.stderr) == (3, "Begun.\nInterrupted.\n")
+
+
 def test_settling_is_from_the_last_time_outside() -> None:
     errors = np.array([[3.0, 0.0], [0.5, 0.0], [2.0, 0.0], [0.5, 9.0], [0.5, 9.0]])
     assert settling_trial(errors, np.array([1.0, np.inf])) == 3

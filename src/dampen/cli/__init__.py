@@ -87,4 +87,6 @@ def main() -> None:
         if not hasattr(error, "format_message"):  # usage errors, whose class typer keeps to itself
             raise
         status = complain([error.format_message()])
+    if status == BROKE_OFF:
+        exec("")  # else `python -m` ends by SIGINT, not with this status, where Ctrl-C came in code that a library made of text
     sys.exit(status)
