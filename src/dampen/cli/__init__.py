@@ -9,8 +9,10 @@ from typing import Annotated
 import typer
 
 from dampen.cli import compare, review, run, studies
-from dampen.cli.terminal import BROKE_OFF, COMPLETED, ScenarioArgument, WithListing, WithOverview, complain, out
+from dampen.cli.terminal import BROKE_OFF, COMPLETED, ScenarioArgument, WithListing, WithOverview, complain, err, out
 from dampen.component import ArgumentError
+
+TYPER_INTERRUPTED = 130  # what typer makes of a KeyboardInterrupt that no command has caught
 
 # One function a command; heavy packages are imported where they are used, so that --help is quick.
 app = typer.Typer(
@@ -71,9 +73,12 @@ def main() -> None:
     gc.set_threshold(200_000)  # a command makes many objects and few cycles: a tenth of its time
     try:
         status = app(standalone_mode=False) or COMPLETED
+        if status == TYPER_INTERRUPTED:
+            raise KeyboardInterrupt
     except ArgumentError as error:
         status = complain(error.lines)
     except (typer.Abort, KeyboardInterrupt):
+        err.print("Interrupted.", markup=False)
         status = BROKE_OFF
     except BrokenPipeError:
         sys.stderr.close()
@@ -82,4 +87,6 @@ def main() -> None:
         if not hasattr(error, "format_message"):  # usage errors, whose class typer keeps to itself
             raise
         status = complain([error.format_message()])
+    if status == BROKE_OFF:
+        exec("")  # else `python -m` ends by SIGINT, not with this status, where Ctrl-C came in code that a library made of text
     sys.exit(status)

@@ -17,7 +17,8 @@ if TYPE_CHECKING:
 
 HELP = (
     "Run one experiment under several controllers, each with gains tuned on the same budget; write a table, figures, every run "
-    "and a report. The verdict says whom the experiment's own law loses to.\n\nExamples:\n\n  dampen compare he2017\n\n"
+    "and a report. The verdict says whom the experiment's own law loses to, whichever of the searches is taken."
+    "\n\nExamples:\n\n  dampen compare he2017\n\n"
     "  dampen compare he2017 boundary-damping lqg he2017-tuned --budget 500 --objective peak\n\n"
     "  dampen compare he2017 he2017 --as-given he2017    # the law as published, beside the law tuned\n\n"
     'WITH is a kind of controller (see `dampen list controller`; "module:Class" for your own), whose gains are searched from the '
@@ -31,6 +32,9 @@ def compare(
     scenario: ScenarioArgument,
     with_: Annotated[list[str] | None, typer.Argument(metavar="[WITH]...", help="kinds of controllers, or scenarios")] = None,
     budget: Annotated[int, typer.Option("--budget", min=0, help="candidates for each controller; 0: as given")] = 300,
+    searches: Annotated[
+        int, typer.Option("--searches", min=1, help="searches for each, with seeds one after the other; the best counts")
+    ] = 2,
     objective: Annotated[str, typer.Option("--objective", help="what is made small: any figure of merit")] = "residual",
     as_given: Annotated[list[str] | None, typer.Option("--as-given", metavar="NAME", help="do not tune this contender")] = None,
     seed: SeedOption = 0,
@@ -45,8 +49,12 @@ def compare(
     from dampen.studies.engines import Cores
 
     case = read_scenario(scenario, set_ or ())
-    with working("Trying the contenders"):
-        plan = Plan(case, with_ or None, budget, objective, seed, as_given or ())
+    try:
+        with working("Trying the contenders"):
+            plan = Plan(case, with_ or None, budget, objective, seed, as_given or (), searches)
+    except KeyboardInterrupt:
+        err.print("Interrupted: nothing is written.", markup=False)
+        raise typer.Exit(BROKE_OFF) from None
     for name, why in plan.left_out.items():
         err.print(f"Left out: {name}: {why}", markup=False)
     folder = free_folder(folder, f"{case.name}-compare")

@@ -145,7 +145,12 @@ class SampledLoop(NamedTuple):
 
 
 class Controller(Component):
-    """A law at the ports (inner loop) and what it learns between trials (outer loop). Memories are (steps, ports) arrays."""
+    """A law at the ports (inner loop) and what it learns between trials (outer loop). Memories are (steps, ports) arrays.
+
+    paper: the one whose law this is, "He et al. 2017": a comparison says how it fares. "": none.
+    """
+
+    paper: ClassVar[str] = ""
 
     @property
     def barrier_shape(self) -> Literal["log", "tan", "none"]:

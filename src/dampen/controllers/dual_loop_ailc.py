@@ -35,6 +35,7 @@ class DualLoopAILC(PointwiseLearning, InnerLoop):
     """
 
     kind: ClassVar[str] = "dual-loop-ailc"
+    paper: ClassVar[str] = "He et al. 2017"
     memories: ClassVar[tuple[str, str]] = ("zeta", "d_hat")
     learned_terms: ClassVar[tuple[str, str]] = ("learned feedforward", "observer")
     relearn: ClassVar[Relearn] = staticmethod(relearn)

@@ -20,7 +20,7 @@ from dampen.version import version
 
 SCHEMA = "dampen-audit/1"
 FILE = "audit.json"
-RUNS = {"comparison": {"results"}}  # which are files of their own
+APART = {"comparison": ("results", "experiment")}  # files of their own, and the scenario, which is there already
 
 
 @dataclass(frozen=True)
@@ -59,14 +59,15 @@ def write_record(folder: Path, found: Record) -> Path:
 
 def plain(found: Record) -> dict[str, Any]:
     """The record as JSON has it."""
-    values: dict[str, Any] = json.loads(_adapter().dump_json(found, exclude=RUNS))
+    values: dict[str, Any] = json.loads(_adapter().dump_json(found, exclude={part: set(names) for part, names in APART.items()}))
     return values
 
 
 def schema() -> dict[str, Any]:
     """The JSON Schema of audit.json."""
     found = _or_null(_adapter().json_schema(mode="serialization"))
-    del found["$defs"]["Comparison"]["properties"]["results"]
+    for name in APART["comparison"]:
+        del found["$defs"]["Comparison"]["properties"][name]
     return {"$schema": "https://json-schema.org/draft/2020-12/schema", **found}
 
 

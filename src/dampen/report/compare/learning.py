@@ -53,7 +53,8 @@ def learning_sentence(found: Comparison) -> str:
     """Who has settled, from when on."""
     settled = sorted((c for c in found.contenders if c.settling is not None), key=lambda c: c.settling or 0)
     parts = [f"{c.label} from trial {c.settling}" for c in settled]
-    text = f"Within 5 % of the room there is: {'; '.join(parts)}" if parts else "No contender comes within 5 % of the room"
+    room = "the room there is" if any("margin" in c.merits for c in found.contenders) else "the largest error of all"
+    text = f"Within 5 % of {room}: {'; '.join(parts)}" if parts else f"No contender stays within 5 % of {room}"
     never = [c.label for c in found.contenders if c.settling is None]
     return f"{text}; never: {', '.join(never)}." if never and parts else f"{text}."
 

@@ -8,7 +8,7 @@ from pathlib import Path
 
 from dampen.report.compare.learning import draw_last, draw_learning
 from dampen.report.compare.pareto import draw_pareto
-from dampen.report.compare.tables import about, found_table, table
+from dampen.report.compare.tables import about, budget_words, found_table, table
 from dampen.report.figures import FORMATS, Drawn, save_all
 from dampen.report.page import embedded, smaller_format, template
 from dampen.report.study.figures import StudyJob
@@ -41,7 +41,7 @@ def write_comparison(folder: Path, found: Comparison) -> Path:
         tables=tables,
         figures=shown[:-1],
         left_out=found.left_out,
-        toml=to_toml(scenario),
+        toml=found.experiment or to_toml(scenario),
         version=found.version,
     )
     path = folder / "report.html"
@@ -75,7 +75,7 @@ def facts(found: Comparison, scenario: Scenario) -> list[tuple[str, str]]:
     return [
         ("Experiment", found.scenario),
         ("Contenders", f"{len(found.contenders)}, {len(tuned)} of them tuned"),
-        ("Tuning", f"CMA-ES for the {merit_words(found.objective)}, {found.budget} candidates each, seed {found.seed}"),
+        ("Tuning", f"CMA-ES for the {merit_words(found.objective)}, {budget_words(found)}"),
         ("Trials", f"{task.trials} of {plain_number(task.trial_duration)} s, {task.start}"),
         ("Numerics", f"{numerics.discretisation}, {numerics.modes} modes, step {plain_number(1000 * numerics.step)} ms"),
         ("Time", f"{minutes:.1f} min"),

@@ -18,14 +18,14 @@ from dampen.report.study.names import merit_label, merit_value, merit_words
 from dampen.report.style import INK
 from dampen.simulation.scenario import Scenario
 from dampen.studies.compare.comparison import Comparison, Contender
-from dampen.studies.compare.verdict import EFFORT, front, holds
+from dampen.studies.compare.verdict import EFFORT, front, holds, nobody
 
 WIDTH, HEIGHT = 3.9, 3.2
 
 
 def draw_pareto(found: Comparison, scenario: Scenario) -> tuple[Figure, str]:
-    """A mark for each contender, hollow where the constraint is lost at either of the numerics, a bar to its value at finer
-    ones; those that hold it and that nobody betters in both are joined. No effort at all stands at the left edge."""
+    """A mark for each contender, hollow where the constraint is lost at either of the numerics, a bar over its searches and
+    both numerics; those that hold it and that nobody betters in both are joined. No effort at all stands at the left edge."""
     figure = sheet(WIDTH, HEIGHT)
     axes = panel(figure, left=0.72, right=0.2, top=0.2 + 0.16 * -(-len(found.contenders) // 3), bottom=0.46)
     shown = [c for c in found.contenders if np.isfinite(c.merits[found.objective]) and np.isfinite(c.merits[EFFORT])]
@@ -74,11 +74,13 @@ def sentence(found: Comparison, scenario: Scenario, shown: Sequence[Contender]) 
     """Who is on the front, from the least effort to the least error."""
     best = front([c for c in shown if holds(c)], found.objective)
     if not best:
-        return "No contender holds the constraint."
+        return nobody(scenario)
     parts = [
         f"{c.label} ({objective_value(found, c.merits)} for {merit_value(EFFORT, c.merits[EFFORT], scenario)})" for c in best
     ]
     text = f"Nobody is better in both {merit_words(found.objective)} and effort than {', '.join(parts)}"
     lost = [c.label for c in shown if not holds(c)]
-    text += f"; hollow: the constraint is not held, here or at finer numerics ({', '.join(lost)})" if lost else ""
-    return f"{text}. Bars go to the value at finer numerics."
+    what = "the constraint is not held" if scenario.task.constraint else "does not run to its end"
+    text += f"; hollow: {what}, here or at finer numerics ({', '.join(lost)})" if lost else ""
+    over = "finer numerics and the best of each search" if any(len(c.searches) > 1 for c in shown) else "finer numerics"
+    return f"{text}. Bars go over {over}."

@@ -6,10 +6,11 @@ import math
 from collections.abc import Callable
 from dataclasses import dataclass
 
+from dampen.analysis.merits import merit
 from dampen.report.study.names import math_unit, port_words
 from dampen.report.study.tables import Grid
 from dampen.report.style import DASH, MINUS
-from dampen.studies.compare.comparison import Comparison, Contender
+from dampen.studies.compare.comparison import Comparison, Contender, went_well
 
 Cell = Callable[[Contender], str]
 
@@ -33,7 +34,9 @@ def columns_of(found: Comparison) -> list[Column]:
     pushed = [p for p in found.ports if any(c.merits[f"effort.{p}"] > 0 for c in found.contenders)]
     together = {unit for p in pushed for unit in [found.ports[p][1]]}
     unit = together.pop() if len(together) == 1 else "N, N m" if together else ""
-    columns = [Column(objective_head(found), "", lambda c: objective_value(found, c.merits))]
+    columns = [Column(objective_head(found), objective_unit(found), lambda c: objective_value(found, c.merits))]
+    if any(len(c.searches) > 1 for c in found.contenders):
+        columns.append(Column("over searches", "", lambda c: searches_range(found, c)))
     columns.append(Column("the same, finer", "", lambda c: objective_value(found, c.refined.merits) if c.refined else DASH))
     for name, words, ports, which in (("peak", "peak", found.ports, 0), ("residual", "RMS", found.ports, 0)):
         columns += [of_port(name, words, port, found.ports[port][which]) for port in ports]
@@ -74,10 +77,28 @@ def terminal_tables(found: Comparison) -> list[tuple[list[str], list[list[str]]]
 
 def how(c: Contender) -> str:
     """How its gains came about, and what there is to say of its run."""
-    words = f"tuned, {c.candidates}" if c.tuned else "as given" if c.gains or c.source != "kind" else GIVEN[c.kind == "none"]
+    words = f"tuned, {tries(c)}" if c.tuned else "as given" if c.gains or c.source != "kind" else GIVEN[c.kind == "none"]
     extras = [*(["through samples"] if c.sampled else []), *([STATUS[c.status]] if c.status in STATUS else [])]
     extras += ["forces did not settle"] if c.merits["unsettled"] > 0 else []
     return "; ".join([words, *extras])
+
+
+def tries(c: Contender) -> str:
+    """How many candidates it had, in how many searches."""
+    count = len(c.searches)
+    return f"{count} x {c.candidates // count}" if count > 1 else str(c.candidates)
+
+
+def searches_range(found: Comparison, c: Contender) -> str:
+    """The objective over a contender's searches; how many of them held, if not all."""
+    held = sum(map(went_well, c.searches))
+    few = f"{held} of {len(c.searches)} hold" if held < len(c.searches) else ""
+    ends = c.over_searches(found.objective)
+    if ends is None:
+        return few or DASH
+    low, high = (objective_value(found, {**c.merits, found.objective: end}) for end in ends)
+    text = low if low == high else f"{low.removesuffix(' %')} to {high}"
+    return f"{text}; {few}" if few else text
 
 
 GIVEN = {True: "none", False: "middle of its ranges"}
@@ -96,8 +117,17 @@ def about(found: Comparison) -> str:
     text += "the least room that the constraint leaves; without one 5 % of the largest error of all). "
     if finer is not None:
         text += f"Finer: the same gains on a fresh set of {finer.modes} modes with a step of {1e3 * finer.step:g} ms. "
-    text += f"Tuned: by CMA-ES for the {found.objective}, {found.budget} candidates each, seed {found.seed}, the constraint kept."
-    return text
+    if any(len(c.searches) > 1 for c in found.contenders):
+        text += "Over searches: the objective of the best of each search; the best of these is the row. "
+    return f"{text}Tuned: by CMA-ES for the {found.objective}, {budget_words(found)}, the constraint kept."
+
+
+def budget_words(found: Comparison) -> str:
+    """How much every contender that is tuned was searched for."""
+    if found.searches == 1:
+        return f"{found.budget} candidates each in one search, seed {found.seed}"
+    seeds = f"seeds {found.seed} to {found.seed + found.searches - 1}"
+    return f"{found.budget} candidates each in each of {found.searches} searches, {seeds}"
 
 
 def objective_head(found: Comparison) -> str:
@@ -105,12 +135,26 @@ def objective_head(found: Comparison) -> str:
     return f"{found.objective.replace('.', ' ').replace('_', ' ')}"
 
 
+def objective_unit(found: Comparison) -> str:
+    """The unit of the objective's column, all units where ports differ in it; "" for shares, which carry it."""
+    kind, _, port = found.objective.partition(".")
+    unit = merit(kind).unit
+    if is_share(found, found.contenders[0].merits) or unit not in ("motion", "effort"):
+        return "" if unit not in ("J", "steps") else unit
+    among = [port] if port else found.counted if unit == "motion" else found.ports
+    return math_unit(", ".join(dict.fromkeys(found.ports[p][unit == "effort"] for p in among)))
+
+
+def is_share(found: Comparison, merits: dict[str, float]) -> bool:
+    """Whether the objective is a share."""
+    kind, _, port = found.objective.partition(".")
+    return kind in ("margin", "stuck") or (kind in ("peak", "residual") and not port and "margin" in merits)
+
+
 def objective_value(found: Comparison, merits: dict[str, float]) -> str:
     """The objective: shares in percent."""
-    kind, _, port = found.objective.partition(".")
     value = merits[found.objective]
-    is_share = kind in ("margin", "stuck") or (kind in ("peak", "residual") and not port and "margin" in merits)
-    return share(value) if is_share else short(value)
+    return share(value) if is_share(found, merits) else short(value)
 
 
 def share(value: float) -> str:

@@ -33,6 +33,7 @@ def compare(
     contenders: Sequence[Given] | None = None,
     *,
     budget: int = 300,
+    searches: int = 2,
     objective: str = "residual",
     seed: int = 0,
     as_given: Sequence[str] = (),
@@ -47,9 +48,11 @@ def compare(
     contenders: kinds of controllers ("lqg", "module:Class"), which begin in the middle of the ranges that they say; scenarios
                 or their names, of which only the controller and its sampling are taken; controllers. Left out: all shipped
                 kinds that can be run here.
-    budget:     candidates for each contender, the first of them its start; 0: all as given.
+    budget:     candidates of each search, the first of them the contender's start; 0: all as given.
+    searches:   of each contender, with the seeds `seed`, `seed` + 1, ...; the best counts, and their spread tells what luck a
+                search has. After one alone nobody is said to beat anybody.
     objective:  figure of merit that is made small (margin: large), the constraint kept.
-    seed:       of every search.
+    seed:       of the first search of every contender.
     as_given:   names of contenders that are not tuned: labels, kinds, scenarios.
     folder:     where to write, a contender a folder; a comparison that was interrupted there is gone on with.
     engine:     as for `tune`.   progress: called with (contender, runs done, runs in all).
@@ -58,7 +61,7 @@ def compare(
     ends the comparison with the contenders that are finished. Raises ArgumentError, before anything is written, for a
     contender that is another experiment or cannot be run.
     """
-    plan = Plan(scenario, contenders, budget, objective, seed, tuple(as_given))
+    plan = Plan(scenario, contenders, budget, objective, seed, tuple(as_given), searches)
     return plan.run(None if folder is None else Path(folder), engine_of(engine), progress)
 
 
@@ -66,33 +69,44 @@ def open_comparison(folder: str | Path) -> Comparison:
     """The comparison that a folder holds, with its runs. Raises ArgumentError for any other folder."""
     folder = Path(folder)
     try:
-        found = from_plain(json.loads((folder / FILE).read_text(encoding="utf-8"))["comparison"])
+        kept = json.loads((folder / FILE).read_text(encoding="utf-8"))
+        found, experiment = from_plain(kept["comparison"]), str(kept["scenario"])
     except (OSError, ValueError, KeyError, TypeError) as error:
         reason = error.strerror if isinstance(error, OSError) else "it is not one of dampen's"
         raise ArgumentError(f"Comparison `{folder / FILE}` cannot be read: {reason}.") from None
-    return replace(found, results={one.label: load(folder / one.label / "result.nc") for one in found.contenders})
+    results = {one.label: load(folder / one.label / "result.nc") for one in found.contenders}
+    return replace(found, results=results, experiment=experiment)
 
 
 class Plan:
     """A comparison, all of it checked, before it is run. `left_out`: who is not compared, and why."""
 
     def __init__(
-        self, scenario: Scenario, given: Sequence[Given] | None, budget: int, objective: str, seed: int, as_given: Sequence[str]
+        self,
+        scenario: Scenario,
+        given: Sequence[Given] | None,
+        budget: int,
+        objective: str,
+        seed: int,
+        as_given: Sequence[str],
+        searches: int = 1,
     ):
         if not isinstance(scenario, Scenario):
             raise wrong("scenario", "be a Scenario, as `read_scenario` gives it", scenario)
         check_objectives([objective], scenario)
         self.scenario, self.objective = scenario, objective
         self.budget, self.seed = whole("budget", budget, 0), whole("seed", seed, 0)
+        self.searches = whole("searches", searches, 1)
         self.bench = Bench(scenario)
         self.entries, self.left_out = entries_of(scenario, given, self.bench)
         kept = {label for name in as_given for label in self._named(name)}
-        self.definitions = {e.label: self._definition(e) for e in self.entries if e.label not in kept}
+        self.definitions = {e.label: self._definitions(e) for e in self.entries if e.label not in kept}
 
     @property
     def runs(self) -> int:
-        """How many runs there are in all: candidates, and two for each contender."""
-        return sum(self.budget for found in self.definitions.values() if found) + 2 * len(self.entries)
+        """How many runs there are in all: candidates, one for each contender, and a finer one for each of its searches."""
+        of_each = [len(self.definitions.get(entry.label, ())) for entry in self.entries]
+        return sum(count * self.budget + 1 + max(count, 1) for count in of_each)
 
     def run(self, folder: Path | None, engine: Engine | None, progress: Progress | None = None) -> Comparison:
         """All contenders, one after the other; what is finished is written as it comes."""
@@ -114,7 +128,7 @@ class Plan:
             own = None if folder is None else folder / entry.label
             try:
                 with threadpool_limits(1):
-                    row, result = judged(entry, self.definitions.get(entry.label), self.bench, own, engine, step)
+                    row, result = judged(entry, self.definitions.get(entry.label, ()), self.bench, own, engine, step)
             except (Interrupted, KeyboardInterrupt):
                 break
             done.append(row)
@@ -132,12 +146,13 @@ class Plan:
             raise ArgumentError(f"Option `--as-given` must name a contender, but names {name!r}; known here: {known}.")
         return labels
 
-    def _definition(self, entry: Entry) -> Definition | None:
-        """The search for a contender's gains; None where there is none to be made."""
+    def _definitions(self, entry: Entry) -> tuple[Definition, ...]:
+        """The searches for a contender's gains; none where there is none to be made."""
         if not self.budget or not entry.start.search:
-            return None
+            return ()
         home = home_of(entry.scenario)
-        return tune_of(entry.scenario, entry.start.search, [self.objective], self.budget, seed=self.seed, home=home)
+        first = tune_of(entry.scenario, entry.start.search, [self.objective], self.budget, seed=self.seed, home=home)
+        return tuple(replace(first, seed=self.seed + k) for k in range(self.searches))
 
     def _comparison(self, done: Sequence[Contender], results: dict[str, Any]) -> Comparison:
         limits = thresholds(self.scenario, done)
@@ -153,10 +168,12 @@ class Plan:
             thresholds=limits,
             contenders=rows,
             left_out=self.left_out,
-            verdict=verdict(self.scenario, rows, self.objective, self.budget),
+            verdict=verdict(self.scenario, rows, self.objective, self.budget, self.searches),
             complete=len(rows) == len(self.entries),
             version=version(),
+            searches=self.searches,
             results=dict(results),
+            experiment=to_toml(self.scenario),
         )
 
     def _make_folder(self, folder: Path) -> None:
@@ -177,12 +194,11 @@ class Plan:
 
     def to_toml(self) -> str:
         """What is compared, as text that tells this comparison from any other."""
-        rows: dict[str, Any] = {"objective": self.objective, "budget": self.budget, "seed": self.seed}
+        rows: dict[str, Any] = {"objective": self.objective, "budget": self.budget, "searches": self.searches, "seed": self.seed}
         lines = ["# A comparison by dampen of scenario.toml beside it under several controllers, each in a folder of its own."]
         lines += [f"{key} = {literal(value)}" for key, value in rows.items()]
         for entry in self.entries:
-            found = self.definitions.get(entry.label)
-            search = [] if found is None else [axis.text for axis in found.axes]
+            search = [axis.text for found in self.definitions.get(entry.label, ())[:1] for axis in found.axes]
             lines += ["", "[[contender]]", f"label = {literal(entry.label)}", f"search = {literal(search)}"]
             lines.append(f"start = {literal(entry.scenario.controller)}")
         return "\n".join(lines) + "\n"

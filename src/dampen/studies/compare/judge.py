@@ -3,14 +3,14 @@
 from __future__ import annotations
 
 import time
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 
-from dampen.analysis.merits import merit, merits
+from dampen.analysis.merits import columns, merit, merits
 from dampen.analysis.metrics import error_peaks
 from dampen.analysis.tallied import tallied
 from dampen.component import ArgumentError
@@ -22,7 +22,7 @@ from dampen.simulation.scenario import Scenario
 from dampen.simulation.stores import FileStore
 from dampen.simulation.trials import simulate
 from dampen.studies.best import best_row
-from dampen.studies.compare.comparison import Contender, Refined
+from dampen.studies.compare.comparison import Contender, Refined, Searched
 from dampen.studies.compare.entries import Entry, name_of
 from dampen.studies.definition import Definition
 from dampen.studies.engines import Engine
@@ -42,53 +42,92 @@ class Interrupted(Exception):
 
 @dataclass(frozen=True)
 class Tuned:
-    """A scenario with the gains that were chosen, how many candidates were tried and kept the constraint, what the objective
-    was at the start, and what a reader has to know."""
+    """A scenario with the gains that a search has chosen: its row there, how many candidates were tried and kept the
+    constraint, what the objective was at the start, and what a reader has to know."""
 
     scenario: Scenario
-    candidates: int = 0
-    kept: int = 0
-    start: float | None = None
-    notes: tuple[str, ...] = ()
+    row: Row
+    seed: int
+    candidates: int
+    kept: int
+    start: float | None
+    notes: tuple[str, ...]
 
 
 def judged(
-    entry: Entry, definition: Definition | None, bench: Bench, folder: Path | None, engine: Engine | None, step: Step
+    entry: Entry, definitions: Sequence[Definition], bench: Bench, folder: Path | None, engine: Engine | None, step: Step
 ) -> tuple[Contender, Result]:
-    """A contender's row and run. definition: of its tuning, None: as given.   folder: its own, None: in memory.
-    step: called after each run.   Raises Interrupted."""
+    """A contender's row and run. definitions: of its searches, the best of which counts; none: as given.
+    folder: its own, None: in memory.   step: called after each run.   Raises Interrupted."""
     begun = time.monotonic()
-    tuned = Tuned(entry.scenario) if definition is None else tuned_by(definition, folder, engine, step)
-    result = run(tuned.scenario, bench, folder)
+    tuned = [tuned_by(one, study_folder(folder, k), engine, step) for k, one in enumerate(definitions)]
+    best = min(tuned, key=rank(definitions[0].objectives[0])) if tuned else None
+    scenario = entry.scenario if best is None else best.scenario
+    result = run(scenario, bench, folder)
     step()
-    refined = finer(tuned.scenario)
-    step()
-    names = [path for axis in definition.axes for path in axis.paths] if definition is not None else []
-    ports = tuned.scenario.ports
+    searches = [searched(one, definitions[0], step) for one in tuned]
+    if best is None:
+        refined = finer(scenario)
+        step()
+    else:
+        refined = next(found.refined for one, found in zip(tuned, searches, strict=True) if one is best)
     contender = Contender(
         label=entry.label,
-        kind=name_of(tuned.scenario.controller),
+        kind=name_of(scenario.controller),
         source=entry.source,
-        tuned=definition is not None,
-        candidates=tuned.candidates,
-        kept=tuned.kept,
-        start=tuned.start,
-        gains={path.removeprefix("controller."): get(tuned.scenario, path) for path in names},
-        sampled=tuned.scenario.sampled,
+        tuned=best is not None,
+        candidates=sum(one.candidates for one in tuned),
+        kept=sum(one.kept for one in tuned),
+        start=None if best is None else best.start,
+        gains=gains_of(scenario, definitions[0]) if definitions else {},
+        sampled=scenario.sampled,
         status=result.status,
         trials=result.trials,
         merits=merits(tallied(result)),
         settling=None,
-        peaks={port: tuple(map(float, error_peaks(result, port))) for port in ports},
+        peaks={port: tuple(map(float, error_peaks(result, port))) for port in scenario.ports},
         refined=refined,
-        notes=(*entry.start.notes, *tuned.notes),
+        notes=(*entry.start.notes, *(() if best is None else best.notes)),
         seconds=time.monotonic() - begun,
+        searches=tuple(searches),
+        paper=scenario.controller.paper,
     )
     return contender, result
 
 
+def study_folder(folder: Path | None, k: int) -> Path | None:
+    """Where the k-th search of a contender is written."""
+    return None if folder is None else folder / ("study" if k == 0 else f"study-{k + 1}")
+
+
+def rank(objective: str) -> Callable[[Tuned], tuple[float, ...]]:
+    """An order of searches: those first that keep the constraint, then by how much it is broken, then the objective."""
+    sign = -1 if merit(objective).better == "high" else 1
+
+    def key(one: Tuned) -> tuple[float, ...]:
+        row, kept = one.row, feasible(one.row)
+        value = sign * float(row.get(objective, np.nan))
+        return (not kept, 0.0 if kept else violation(row), value if np.isfinite(value) else np.inf, one.seed)
+
+    return key
+
+
+def searched(one: Tuned, definition: Definition, step: Step) -> Searched:
+    """What a search came to, with a run at finer numerics."""
+    refined = finer(one.scenario)
+    step()
+    figures = {name: float(one.row.get(name, np.nan)) for name in columns(one.scenario)}
+    return Searched(one.seed, one.kept, gains_of(one.scenario, definition), str(one.row["status"]), figures, refined)
+
+
+def gains_of(scenario: Scenario, definition: Definition) -> dict[str, Any]:
+    """By path, what a search has found."""
+    paths = [path for axis in definition.axes for path in axis.paths]
+    return {path.removeprefix("controller."): get(scenario, path) for path in paths}
+
+
 def tuned_by(definition: Definition, folder: Path | None, engine: Engine | None, step: Step) -> Tuned:
-    """The gains that a tuning finds; one that was interrupted in this folder is gone on with."""
+    """The gains that a search finds. folder: of its study; one that was interrupted there is gone on with."""
     study, done = study_of(definition, folder), 0
 
     def progress(rows: int, *_: Any) -> None:
@@ -106,12 +145,11 @@ def tuned_by(definition: Definition, folder: Path | None, engine: Engine | None,
     kept = sum(map(feasible, rows))
     found = replace(member(definition.scenario, definition.axes, row), name=f"{definition.scenario.name}-tuned"[:60])
     start = float(study.rows.by_member[0][definition.objectives[0]])
-    return Tuned(found, len(rows), kept, start if np.isfinite(start) else None, notes)
+    return Tuned(found, row, definition.seed, len(rows), kept, start if np.isfinite(start) else None, notes)
 
 
-def study_of(definition: Definition, folder: Path | None) -> Study:
-    """The study of a tuning: the one that the contender's folder has of it, or a new one."""
-    place = None if folder is None else folder / "study"
+def study_of(definition: Definition, place: Path | None) -> Study:
+    """The study of a tuning: the one that the folder has of it, or a new one."""
     if place is not None and (place / "study.toml").exists():
         there = open_study(place)
         if there.definition.fingerprint == definition.fingerprint:
