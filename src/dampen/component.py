@@ -84,6 +84,11 @@ def suggestion(word: str, known: Iterable[str]) -> str:
     return f"; did you mean `{near[0]}`?" if near else f"; known here: {', '.join(known)}."
 
 
+def listed(words: Sequence[str]) -> str:
+    """Words in a sentence: with commas and a last "and"."""
+    return words[0] if len(words) == 1 else f"{', '.join(words[:-1])} and {words[-1]}"
+
+
 @dataclass(frozen=True)
 class Parameter:
     """What the code itself knows of one parameter of a component."""

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -20,7 +20,6 @@ from dampen.simulation.setting import setting_of
 from dampen.simulation.tally import MEAN_SQUARE
 
 Progress = Callable[[int, int], None]
-WHOLE = "as it is"
 
 
 @dataclass(frozen=True)
@@ -104,10 +103,14 @@ def outcome(batch: Batch, case: Scenario) -> Tally | ArgumentError:
 def variants(scenario: Scenario) -> Iterator[tuple[str, str, Scenario]]:
     """Name, meaning and scenario of every ablation that there is for this one."""
     free, law = scenario.uncontrolled(), scenario.controller
-    yield WHOLE, "the scenario as it is", scenario
+    yield "as it is", "the scenario as it is", scenario
     yield "no control", "no forces at the ports", free
+    terms = terms_of(scenario)
+    others = tuple(name for name in terms if name != "damping") if "damping" in terms else ()
+    if others:
+        yield "damping only", f"of the law only its damping; without {', '.join(others)}", without(scenario, *others)
     if not isinstance(law, SampledFeedback):
-        yield from _of_the_law(scenario)
+        yield from _of_the_law(scenario, terms)
     held = scenario.disturbance.held()
     if held != scenario.disturbance:
         what = "the disturbance keeps the frequencies of trial 0"
@@ -117,15 +120,11 @@ def variants(scenario: Scenario) -> Iterator[tuple[str, str, Scenario]]:
     if ideal is not None:
         what = "linear actuators of the same slope, without gap, limit, lag or compensation"
         yield "ideal actuator", what, ideal
-        others = others_than_damping(scenario)
         if others:
             yield "damping only, ideal actuator", f"of the law only its damping, and {what}", without(ideal, *others)
 
 
-def _of_the_law(scenario: Scenario) -> Iterator[tuple[str, str, Scenario]]:
-    terms, others = terms_of(scenario), others_than_damping(scenario)
-    if others:
-        yield "damping only", f"of the law only its damping; without {', '.join(others)}", without(scenario, *others)
+def _of_the_law(scenario: Scenario, terms: Sequence[str]) -> Iterator[tuple[str, str, Scenario]]:
     if scenario.controller.begin(setting_of(scenario)):
         yield "nothing learned", "the memories are wiped after every trial", without(scenario, forget=True)
     for name in terms:
@@ -144,12 +143,6 @@ def terms_of(scenario: Scenario) -> list[str]:
         return []
     learned = {name: np.ones_like(value) for name, value in law.begin(setting).items()}
     return list(taken_apart(law, learned, setting))
-
-
-def others_than_damping(scenario: Scenario) -> tuple[str, ...]:
-    """The terms beside damping, where there is damping to be left alone."""
-    terms = terms_of(scenario)
-    return tuple(name for name in terms if name != "damping") if "damping" in terms else ()
 
 
 def without(scenario: Scenario, *leave_out: str, forget: bool = False) -> Scenario:

@@ -37,6 +37,11 @@ class Merit:
     better: Literal["low", "high"] = "low"
     together: str = ""
 
+    @property
+    def sign(self) -> int:
+        """What turns the figure into one of which less is better."""
+        return -1 if self.better == "high" else 1
+
 
 MERITS = (
     Merit("peak", "motion", "largest |error| in the last five trials", together="the largest share of the constraint"),

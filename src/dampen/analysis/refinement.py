@@ -7,7 +7,6 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from dampen.simulation.bench import Bench
 from dampen.simulation.result import Result
 from dampen.simulation.scenario import Scenario
 from dampen.simulation.trials import simulate
@@ -38,11 +37,14 @@ def refine(scenario: Scenario, divisors: Sequence[int] = (1, 2, 4)) -> list[Refi
 
 
 def run_at(scenario: Scenario, divisor: int) -> Result:
-    """The scenario with its step divided, snapshots at the same times."""
-    numerics = replace(scenario.numerics, step=scenario.numerics.step / divisor)
-    output = replace(scenario.output, every=scenario.output.every * divisor)
-    finer = replace(scenario, numerics=numerics, output=output)
-    return simulate(finer, bench=Bench(finer))
+    """The scenario, run with its step divided."""
+    return simulate(finer(scenario, divisor))
+
+
+def finer(scenario: Scenario, divisor: int = 1, modes: int | None = None) -> Scenario:
+    """The scenario with its step divided, snapshots at the same times, and with another number of modes."""
+    own, output = scenario.numerics, replace(scenario.output, every=scenario.output.every * divisor)
+    return replace(scenario, numerics=replace(own, modes=modes or own.modes, step=own.step / divisor), output=output)
 
 
 def figures_of_merit(result: Result) -> Mapping[tuple[str, str], float]:

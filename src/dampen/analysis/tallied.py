@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from dampen.analysis.metrics import tracking_error
-from dampen.simulation.batch import Tally, compiled_tally
+from dampen.simulation.batch import Tally, figures_of
 from dampen.simulation.kernel import Record
 from dampen.simulation.result import Result
 from dampen.simulation.tally import BY_PORT, WHOLE
@@ -19,15 +19,7 @@ def tallied(result: Result) -> Tally:
     added and taken away again, and for the steps that did not settle, of which a result tells only whether there are any. A
     run that diverged has a trial more, of which nothing is known."""
     scenario, ports = result.scenario, len(result.scenario.ports)
-    rows, before = [], np.full(ports, np.nan)
-    for j in range(result.trials):
-        by_port, whole = np.zeros((ports, len(BY_PORT))), np.zeros(len(WHOLE))
-        if scenario.task.start == "reset":
-            before[:] = np.nan
-        reference, (low, high) = scenario.reference(j), scenario.limits(j)
-        record = record_of(result, j)
-        compiled_tally(ports)(record, low - reference, high - reference, scenario.steps, before, by_port, whole)
-        rows.append((by_port, whole))
+    rows = figures_of(scenario, ((j, record_of(result, j), scenario.steps) for j in range(result.trials)))
     if result.status == "diverged" or not rows:
         rows.append((np.full((ports, len(BY_PORT)), np.nan), np.zeros(len(WHOLE))))
     by_ports, wholes = (np.stack(side) for side in zip(*rows, strict=True))

@@ -2,15 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
-from contextlib import contextmanager
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
 import typer
 
 from dampen.cli.studies import OutOption, ReportOption, SeedOption, WorkersOption
-from dampen.cli.terminal import BROKE_OFF, ScenarioArgument, SetOption, err, free_folder, out, show_table, working
+from dampen.cli.terminal import BROKE_OFF, ScenarioArgument, SetOption, err, free_folder, out, progress_line, show_table, working
 
 if TYPE_CHECKING:
     from dampen.studies.compare.comparison import Comparison
@@ -58,7 +56,11 @@ def compare(
     for name, why in plan.left_out.items():
         err.print(f"Left out: {name}: {why}", markup=False)
     folder = free_folder(folder, f"{case.name}-compare")
-    with compare_bar(plan.runs) as progress:
+    with progress_line("Runs", plan.runs) as update:
+
+        def progress(label: str, done: int, runs: int) -> None:
+            update(description=label, completed=done)
+
         found = plan.run(folder, Cores(workers) if workers else None, progress)
     show(found, folder, report)
     if not found.complete:
@@ -88,14 +90,3 @@ def show(found: Comparison, folder: Path, report: bool) -> None:
         out.print(f"Report: {page}", markup=False)
     else:
         out.print(f"Comparison: {folder}", markup=False)
-
-
-@contextmanager
-def compare_bar(total: int) -> Iterator[Callable[[str, int, int], None]]:
-    """A progress line with the contender that is at it; quiet in a pipe."""
-    from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeRemainingColumn
-
-    columns = (TextColumn("{task.description}"), BarColumn(), MofNCompleteColumn(), TimeRemainingColumn())
-    with Progress(*columns, console=err, transient=True, disable=not err.is_terminal) as bar:
-        task = bar.add_task("Runs", total=total)
-        yield lambda label, done, runs: bar.update(task, description=label, completed=done)

@@ -3,19 +3,20 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
-from contextlib import contextmanager
+from functools import partial
 from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
 from dampen.cli.run import OutOption, ReportOption, finish, perform
-from dampen.cli.terminal import ScenarioArgument, SetOption, err, out, show_table, working
+from dampen.cli.terminal import ScenarioArgument, SetOption, err, out, progress_line, show_table, working
 
 if TYPE_CHECKING:
     from dampen.analysis.limit.curve import Limit
     from dampen.analysis.limit.standing import Standing
     from dampen.simulation.bench import Bench
     from dampen.simulation.result import Result
+    from dampen.simulation.scenario import Scenario
     from dampen.studies.record import Record
 
 EXIT = "Exit status: 0 when the run completed, whatever was found; 2 for bad input; 3 when it broke off, with what it has saved."
@@ -47,16 +48,18 @@ def audit(
     report: ReportOption = True,
 ) -> None:
     """`dampen audit`."""
+    from dampen.analysis.limit.measure import check_measures
     from dampen.report.review.tables import audit_rows
     from dampen.report.review.words import sentence
-
-    if with_limit:
-        refuse_limit(scenario, set_, ())
 
     def reviewed(bench: Bench, result: Result) -> tuple[Record, bool]:
         return review(bench, result, refine=True, credit=with_credit, of=() if with_limit else None)
 
-    done = perform(scenario, set_, folder, report, purpose="audit", review=reviewed)
+    def check(experiment: Scenario) -> None:
+        if with_limit:
+            check_measures(experiment, ())
+
+    done = perform(scenario, set_, folder, report, purpose="audit", review=reviewed, check=check)
     if done.record.audit is not None:
         show_table(("", "Criterion", "Measured", "Verdict"), coloured(audit_rows(done.record.audit)))
         out.print(sentence(done.record.audit), markup=False)
@@ -75,35 +78,25 @@ def limit(
     report: ReportOption = True,
 ) -> None:
     """`dampen limit`."""
-    refuse_limit(scenario, set_, of or ())
+    from dampen.analysis.limit.measure import check_measures
 
     def reviewed(bench: Bench, result: Result) -> tuple[Record, bool]:
         return review(bench, result, refine=None, of=of or ())
 
-    done = perform(scenario, set_, folder, report, purpose="limit", review=reviewed)
+    check = partial(check_measures, names=of or ())
+    done = perform(scenario, set_, folder, report, purpose="limit", review=reviewed, check=check)
     show_limits(done.record)
     finish(done)
-
-
-def refuse_limit(scenario: str, set_: list[str] | None, of: Sequence[str]) -> None:
-    """Say what is wrong with the measures, or that no port has an actuator, before anything is run."""
-    from dampen.analysis.limit.measure import check_measures
-    from dampen.scenarios.read import read_scenario
-
-    check_measures(read_scenario(scenario, set_ or ()), of)
 
 
 def credit(scenario: ScenarioArgument, set_: SetOption = None, folder: OutOption = None, report: ReportOption = True) -> None:
     """`dampen credit`."""
     from dampen.analysis.credit import refuse_without_control
-    from dampen.scenarios.read import read_scenario
-
-    refuse_without_control(read_scenario(scenario, set_ or ()))
 
     def reviewed(bench: Bench, result: Result) -> tuple[Record, bool]:
         return review(bench, result, refine=None, credit=True)
 
-    done = perform(scenario, set_, folder, report, purpose="credit", review=reviewed)
+    done = perform(scenario, set_, folder, report, purpose="credit", review=reviewed, check=refuse_without_control)
     show_credit(done.record)
     finish(done)
 
@@ -130,8 +123,8 @@ def review(
                 if refine:
                     found["audit"] = refined(found["audit"], result)
         if credit and not isinstance(result.scenario.controller, NoControl):
-            with bar("Taking apart") as advance:
-                found["credit"] = credited(result.scenario, progress=advance)
+            with progress_line("Taking apart") as update:
+                found["credit"] = credited(result.scenario, progress=partial(told, update))
         if of is not None and result.trials < result.scenario.task.trials:
             err.print("There is no limit to hold a run against that did not go to its end.", markup=False)
         elif of is not None:
@@ -151,8 +144,8 @@ def limits_of(bench: Bench, result: Result, of: Sequence[str]) -> Iterator[tuple
     from dampen.analysis.limit.standing import standing
 
     for name in dict.fromkeys(of or measures(result.scenario)):
-        with bar(f"Limit of {name}") as advance:
-            found = limited(result.scenario, name, bench=bench, progress=advance)
+        with progress_line(f"Limit of {name}") as update:
+            found = limited(result.scenario, name, bench=bench, progress=partial(told, update))
         yield found, standing(found, result)
 
 
@@ -192,12 +185,6 @@ def coloured(rows: list[tuple[str, str, str, str]]) -> list[tuple[Any, ...]]:
     return named
 
 
-@contextmanager
-def bar(what: str) -> Iterator[Callable[[int, int], None]]:
-    """A progress line over a number that is known with the first report; quiet in a pipe."""
-    from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeRemainingColumn
-
-    columns = (TextColumn(what), BarColumn(), MofNCompleteColumn(), TimeRemainingColumn())
-    with Progress(*columns, console=err, transient=True, disable=not err.is_terminal) as progress:
-        task = progress.add_task("", total=None)
-        yield lambda done, total: progress.update(task, completed=done, total=total)
+def told(update: Callable[..., None], done: int, total: int) -> None:
+    """A progress line whose total is known with the first report."""
+    update(completed=done, total=total)

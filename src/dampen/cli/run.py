@@ -2,15 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
-from contextlib import contextmanager
+from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from dampen.cli.terminal import BROKE_OFF, ScenarioArgument, SetOption, err, free_folder, out, show_table, working
+from dampen.cli.terminal import BROKE_OFF, ScenarioArgument, SetOption, err, free_folder, out, progress_line, show_table, working
 from dampen.component import ArgumentError
 
 if TYPE_CHECKING:
@@ -55,12 +54,18 @@ def run(scenario: ScenarioArgument, set_: SetOption = None, folder: OutOption = 
 
 
 def perform(
-    scenario: str, set_: list[str] | None, folder: Path | None, report: bool, purpose: str = "", review: Review | None = None
+    scenario: str,
+    set_: list[str] | None,
+    folder: Path | None,
+    report: bool,
+    purpose: str = "",
+    review: Review | None = None,
+    check: Callable[[Scenario], None] = lambda experiment: None,
 ) -> Done:
     """Run a scenario with and without control, review it, and write everything.
 
     purpose: what a new folder is called after, beside the scenario.   review: makes the record; without it, the audit that needs
-    no further run.
+    no further run.   check: raises ArgumentError, before anything is run, for a scenario that cannot be reviewed so.
     """
     import scipy.linalg  # noqa: F401  (loaded first, so that the limit below reaches its BLAS too)
     from threadpoolctl import threadpool_limits
@@ -71,6 +76,7 @@ def perform(
     from dampen.studies.record import write_record
 
     experiment = read_scenario(scenario, set_ or ())
+    check(experiment)
     with threadpool_limits(1):
         bench = Bench(experiment)  # refuses what cannot be resolved, before anything is written
         folder = make_folder(folder, f"{experiment.name}-{purpose}" if purpose else experiment.name)
@@ -142,7 +148,11 @@ def run_all(bench: Bench, folder: Path) -> tuple[Result, Result | None, Result |
     others = {"uncontrolled": scenario.uncontrolled(), "continuous": continuous_twin(scenario)} if controlled else {}
     beside = {name: other for name, other in others.items() if other is not None}
     done: dict[str, Result] = {}
-    with trial_bar(scenario.task.trials * (1 + len(beside))) as advance:
+    with progress_line("Trials", scenario.task.trials * (1 + len(beside))) as update:
+
+        def advance(done: int, trials: int) -> None:
+            update(advance=1)
+
         result = simulate(scenario, store=FileStore(folder / "result.nc"), progress=advance, bench=bench)
         latest = result
         for name, other in beside.items():
@@ -169,17 +179,6 @@ def compile_ahead(scenario: Scenario, bench: Bench) -> None:
     kernel, _ = bench.kernel(scenario)
     if not is_ready(kernel):
         err.print("Compiling the simulation kernel; this happens once and takes about ten seconds.")
-
-
-@contextmanager
-def trial_bar(total: int) -> Iterator[Callable[[int, int], None]]:
-    """A progress line over trials; quiet in a pipe."""
-    from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeRemainingColumn
-
-    columns = (TextColumn("Trials"), BarColumn(), MofNCompleteColumn(), TimeRemainingColumn())
-    with Progress(*columns, console=err, transient=True, disable=not err.is_terminal) as bar:
-        task = bar.add_task("trials", total=total)
-        yield lambda done, trials: bar.advance(task)
 
 
 def show_outcome(done: Done) -> None:

@@ -5,11 +5,12 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from pathlib import Path
+from time import monotonic
 from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
-from dampen.cli.terminal import BROKE_OFF, ScenarioArgument, SetOption, err, free_folder, out, show_table, working
+from dampen.cli.terminal import BROKE_OFF, ScenarioArgument, SetOption, err, free_folder, out, progress_line, show_table, working
 from dampen.component import ArgumentError
 
 if TYPE_CHECKING:
@@ -194,16 +195,11 @@ def _report(study: Study) -> None:
 @contextmanager
 def study_bar(study: Study) -> Iterator[Callable[[int, int, int], None]]:
     """A progress line with rate, time left and failures; quiet in a pipe."""
-    from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeRemainingColumn
-
-    columns = (TextColumn("Runs"), BarColumn(), MofNCompleteColumn(), TextColumn("{task.fields[rate]}"), TimeRemainingColumn())
-    with Progress(*columns, console=err, transient=True, disable=not err.is_terminal) as bar:
-        task = bar.add_task("runs", total=study.members, completed=study.done, rate="")
-        begun, before = bar.get_time(), study.done
+    with progress_line("Runs", study.members, study.done, aside=" ") as update:
+        begun, before = monotonic(), study.done
 
         def show(done: int, total: int, failed: int) -> None:
-            rate = (done - before) / max(bar.get_time() - begun, 1e-3)
-            told = f"{rate:.3g}/s" + (f", {failed} failed" if failed else "")
-            bar.update(task, completed=done, rate=told)
+            rate = (done - before) / max(monotonic() - begun, 1e-3)
+            update(completed=done, aside=f"{rate:.3g}/s" + (f", {failed} failed" if failed else ""))
 
         yield show

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import itertools
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
 from pathlib import Path
 from typing import Annotated, Any
@@ -54,6 +54,19 @@ def free_folder(folder: Path | None, name: str) -> Path:
         return folder
     candidates = (Path("runs") / (name if number == 1 else f"{name}-{number}") for number in itertools.count(1))
     return next(path for path in candidates if not path.exists())
+
+
+@contextmanager
+def progress_line(what: str, total: int | None = None, done: int = 0, aside: str = "") -> Iterator[Callable[..., None]]:
+    """A progress line; quiet in a pipe. Yields what updates it: `advance`, or `completed`, `total`, `description` and `aside`, a
+    word behind the count, where there is one from the beginning."""
+    from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeRemainingColumn
+
+    named, count = TextColumn("{task.description}"), (BarColumn(), MofNCompleteColumn())
+    columns = (named, *count, *([TextColumn("{task.fields[aside]}")] if aside else []), TimeRemainingColumn())
+    with Progress(*columns, console=err, transient=True, disable=not err.is_terminal) as bar:
+        task = bar.add_task(what, total=total, completed=done, aside=aside)
+        yield lambda **news: bar.update(task, **news)
 
 
 @contextmanager

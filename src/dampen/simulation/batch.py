@@ -7,7 +7,7 @@ basis of the nominal one, which carries its loads. Laws that learn in Python, an
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
 from functools import cache, cached_property
@@ -19,6 +19,7 @@ from dampen.component import ArgumentError
 from dampen.plants.fixed_basis import FixedBasis
 from dampen.simulation.bench import Bench
 from dampen.simulation.compiled import bind, compiled
+from dampen.simulation.kernel import Record
 from dampen.simulation.lockstep import Lockstep, in_step, kind_of_member
 from dampen.simulation.passes import passes
 from dampen.simulation.scenario import Scenario
@@ -122,18 +123,25 @@ def began(scenario: Scenario, by_port: Array, whole: Array) -> Tally:
 
 def alone(scenario: Scenario, bench: Bench) -> Tally:
     """The figures of a single run."""
+    rows = figures_of(scenario, ((p.trial, p.record, p.done) for p in passes(scenario, bench)))
+    return Tally(scenario, *(np.stack(side) for side in zip(*rows, strict=True)))
+
+
+def figures_of(scenario: Scenario, trials: Iterable[tuple[int, Record, int]]) -> list[tuple[Array, Array]]:
+    """By_port (ports, BY_PORT) and whole (WHOLE,) of trials, each with its record and the steps that it did, up to the first that
+    broke off."""
     ports, rows = len(scenario.ports), []
     before = np.full(ports, np.nan)
-    for p in passes(scenario, bench):
-        reference, (low, high) = scenario.reference(p.trial), scenario.limits(p.trial)
+    for trial, record, done in trials:
+        reference, (low, high) = scenario.reference(trial), scenario.limits(trial)
         by_port, whole = np.zeros((ports, len(BY_PORT))), np.zeros(len(WHOLE))
         if scenario.task.start == "reset":
             before[:] = np.nan
-        compiled_tally(ports)(p.record, low - reference, high - reference, p.done, before, by_port, whole)
+        compiled_tally(ports)(record, low - reference, high - reference, done, before, by_port, whole)
         rows.append((by_port, whole))
-        if p.done < scenario.steps:
+        if done < scenario.steps:
             break
-    return Tally(scenario, *(np.stack(side) for side in zip(*rows, strict=True)))
+    return rows
 
 
 @cache

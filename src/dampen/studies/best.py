@@ -21,7 +21,7 @@ if TYPE_CHECKING:
 
 def best_row(study: Study, objective: str) -> dict[str, Any] | None:
     """The row of the member that keeps the constraint and is best in one figure of merit; None: no member keeps it."""
-    sign = -1 if merit(objective).better == "high" else 1
+    sign = merit(objective).sign
     rows = [row for row in study.rows.rows if feasible(row)]
     return min(rows, key=lambda row: (sign * row[objective], row["member"]), default=None)
 

@@ -95,7 +95,7 @@ def violation(row: Mapping[str, Any]) -> float:
 
 def costs(row: Mapping[str, Any], objectives: Sequence[str]) -> list[float]:
     """What is made small: the objectives, or more than any of them where the constraint is broken."""
-    values = [float(row[name]) * (-1 if merit(name).better == "high" else 1) for name in objectives]
+    values = [float(row[name]) * merit(name).sign for name in objectives]
     beyond = violation(row)
     kept = feasible(row) and np.all(np.isfinite(values))
     return values if kept else [BEYOND * (1 + min(max(beyond, 0.0), BROKEN))] * len(values)

@@ -180,7 +180,7 @@ def _quantiles(study: Study, name: str, rows: Array) -> Quantiles:
     """Fractions from good to bad; of real members' values, not between two of them, since a value may be infinite."""
     from dampen.analysis.merits import merit
 
-    sign = -1.0 if merit(name).better == "high" else 1.0
+    sign = float(merit(name).sign)
     diverged = statuses(study) == "diverged"
     values = sign * np.where(diverged, sign * np.inf, column(study, name))[rows]
     values = values[~np.isnan(values)]

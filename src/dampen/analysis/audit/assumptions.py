@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
-from dataclasses import dataclass
+from typing import Literal
 
 import numpy as np
 
@@ -28,53 +28,46 @@ def assumptions(result: Result, bench: Bench) -> Iterator[Finding]:
         yield from moving(result, bench)
 
 
-@dataclass(frozen=True)
-class Starts:
-    """(trials,) how far each trial's start is from the end of the last one, and from that of trial 0: displacements of the ports
-    as shares of the largest there was, and energies likewise; the larger of the two."""
-
-    from_last_end: Array
-    from_first: Array
-
-
-def starts(result: Result) -> Starts:
-    """How trials begin."""
-    y = np.array([np.asarray(result["y"][j])[[0, -1]] for j in range(result.trials)])
-    energy = np.array([np.asarray(result["energy"][j])[[0, -1]] for j in range(result.trials)])
-    scale, most = np.maximum(np.abs(y).max(axis=(0, 1)), 1e-300), max(float(energy.max()), 1e-300)
-    jump = np.maximum((np.abs(y[1:, 0] - y[:-1, 1]) / scale).max(axis=1), np.abs(energy[1:, 0] - energy[:-1, 1]) / most)
-    apart = np.maximum((np.abs(y[:, 0] - y[0, 0]) / scale).max(axis=1), np.abs(energy[:, 0] - energy[0, 0]) / most)
-    return Starts(jump, apart)
+def farthest_start(result: Result, from_: Literal["last end", "first start"]) -> float:
+    """How far any trial's start is from the end of the last one, or from the start of trial 0: displacements of the ports as
+    shares of the largest at starts and ends, and energies likewise; the larger of the two."""
+    ends = [(np.asarray(result["y"][j])[[0, -1]], np.asarray(result["energy"][j])[[0, -1], None]) for j in range(result.trials)]
+    apart = 0.0
+    for values in map(np.array, zip(*ends, strict=True)):
+        starts, other = (values[1:, 0], values[:-1, 1]) if from_ == "last end" else (values[:, 0], values[:1, 0])
+        scale = np.maximum(np.abs(values).max(axis=(0, 1)), 1e-300)
+        apart = max(apart, float((np.abs(starts - other) / scale).max(initial=0.0)))
+    return apart
 
 
 def alignment(result: Result, bench: Bench) -> Iterator[Finding]:
     """Assumption 2: each trial starts where the last one ended."""
-    jump = float(starts(result).from_last_end.max(initial=0.0))
+    jump = farthest_start(result, "last end")
+    aligned = jump <= EQUAL
+    lost = "Trials are put back in between: what the proof carries from trial to trial is lost with every reset."
     yield Finding.of(
         "assumptions",
         "assumption.alignment",
         "each trial starts where the last one ended (alignment)",
-        f"{jump:.1%} of the largest displacement or energy off" if jump > EQUAL else "no jump",
-        bool(jump <= EQUAL),
-        "Trials are chained."
-        if jump <= EQUAL
-        else "Trials are put back in between: what the proof carries from trial to trial is lost with every reset.",
+        "no jump" if aligned else f"{jump:.1%} of the largest displacement or energy off",
+        aligned,
+        "Trials are chained." if aligned else lost,
         {"largest jump": Quantity(jump)},
     )
 
 
 def equal_starts(result: Result, bench: Bench) -> Iterator[Finding]:
     """Learning from a fixed start: every trial starts as trial 0 did."""
-    apart = float(starts(result).from_first.max(initial=0.0))
+    apart = farthest_start(result, "first start")
+    equal = apart <= EQUAL
+    partly = "Starts differ: what is learned from one start is only partly right for the next, and the error settles above zero."
     yield Finding.of(
         "assumptions",
         "assumption.equal-starts",
         "each trial starts as trial 0 did",
-        f"up to {apart:.2g} of the largest displacement or energy apart" if apart > EQUAL else "equal",
-        bool(apart <= EQUAL),
-        "Starts are equal."
-        if apart <= EQUAL
-        else "Starts differ: what is learned from one start is only partly right for the next, and the error settles above zero.",
+        "equal" if equal else f"up to {apart:.2g} of the largest displacement or energy apart",
+        equal,
+        "Starts are equal." if equal else partly,
         {"largest difference": Quantity(apart)},
     )
 

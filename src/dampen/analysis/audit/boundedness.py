@@ -35,13 +35,18 @@ def signal_unit(name: str, port: object) -> str:
     return {"y": motion, "v": f"{motion}/s", "command": effort, "delivered": effort}.get(name, "")
 
 
+def late_trials(trials: int) -> int:
+    """A fifth of the trials, and five at the least: those whose signals are held against what was before."""
+    return max(LATE, trials // LATE)
+
+
 def bounded(name: str, port: str, by_trial: Array, unit: str) -> Finding:
     """Whether the largest value of the last trials, a fifth of all and five at the least, is no more than those before.
 
     What grows in proportion to the trials is a quarter larger in the last fifth, however long the run.
     """
     where, few = (f" at {port}" if port else ""), len(by_trial) < FEWEST
-    fifth = max(LATE, len(by_trial) // LATE)
+    fifth = late_trials(len(by_trial))
     before, late = (np.inf, by_trial.max()) if few else (by_trial[:-fifth].max(), by_trial[-fifth:].max())
     finite, growth = bool(np.all(np.isfinite(by_trial))), late / before if before else 1.0 if not late else np.inf
     holds = False if not finite else None if few else bool(growth <= GROWTH)

@@ -125,10 +125,10 @@ def dissipation_by_quadrature(result: Result, bench: Bench, steps: Array) -> flo
 def takes(result: Result, account: EnergyAccount) -> Finding:
     """Whether the control takes energy: its work and what its barrier, stiffness and compliance have come to hold."""
     given, least = given_by_control(result), FEED * account.largest
-    net, late = float(given.sum()), float(given[-LATE:].sum())
+    net, lately = float(given.sum()), float(given[-LATE:].sum())
     feeding = np.flatnonzero(given > least)
     tracking = bool(result.scenario.task.reference)
-    holds = None if tracking or not account.control else net <= least and late <= least
+    holds = None if tracking or not account.control else net <= least and lately <= least
     if tracking:
         meaning = "To follow a reference a control has to give energy."
     elif not account.control:
@@ -143,7 +143,7 @@ def takes(result: Result, account: EnergyAccount) -> Finding:
         "energy",
         "energy.control-takes",
         f"control's work + change of what its barrier and springs store <= 0 over the run, and over the last {LATE} trials",
-        f"{net:+.3g} J; last {LATE}: {late:+.3g} J",
+        f"{net:+.3g} J; last {LATE}: {lately:+.3g} J",
         holds,
         meaning,
         {"given by the control, by trial": Quantity(tuple(map(float, given)), "J")},
@@ -162,11 +162,10 @@ def feeding_meaning(result: Result) -> str:
     if not scenario.sampled or not read:
         return "The control feeds energy into the structure: its gains, its delay or what it has learned push the wrong way."
     units = {port.name: (port.motion_unit, port.effort_unit) for port in scenario.plant.ports}
-    late = max(result.trials - LATE, 0)
     told = []
     for p, port in enumerate(scenario.ports):
         if port in read:
-            square = np.mean([np.mean(np.asarray(result["delivered"][j])[:, p] ** 2) for j in range(late, result.trials)])
+            square = np.mean([np.mean(np.asarray(result["delivered"][j])[:, p] ** 2) for j in late(result)])
             motion, effort = units[port]
             told.append(
                 f"{port} is read with {' and '.join(f'{w} {motion}' for w in read[port])}, force {square**0.5:.3g} {effort}"
@@ -176,6 +175,11 @@ def feeding_meaning(result: Result) -> str:
         f"that move the structure ({'; '.join(told)} RMS, last {LATE} trials). Otherwise its gains, its delay or what it has "
         "learned push the wrong way."
     )
+
+
+def late(result: Result) -> range:
+    """The last five trials, or all there are."""
+    return range(max(result.trials - LATE, 0), result.trials)
 
 
 def given_by_control(result: Result) -> Array:

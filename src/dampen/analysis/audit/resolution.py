@@ -3,14 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
-from dataclasses import replace
 
 from dampen.analysis.audit.finding import Finding, Quantity
-from dampen.analysis.refinement import figures_of_merit, run_at
+from dampen.analysis.refinement import figures_of_merit, finer, run_at
 from dampen.component import ArgumentError
 from dampen.simulation.kernel import MODES_AT_MOST
 from dampen.simulation.result import Result
-from dampen.simulation.scenario import Scenario
 from dampen.simulation.trials import simulate
 
 MOVES = 0.05
@@ -20,7 +18,7 @@ Figures = Mapping[tuple[str, str], float]
 def resolution(result: Result) -> Iterator[Finding]:
     """A row for each figure of merit; runs the scenario twice more."""
     own = figures_of_merit(result)
-    modes, why = with_twice_the_modes(result.scenario)
+    modes, why = with_twice_the_modes(result)
     step = of_a_whole_run(run_at(result.scenario, 2), result)
     for (name, unit), value in own.items():
         by_modes, by_step = (None if figures is None else figures[name, unit] for figures in (modes, step))
@@ -28,23 +26,23 @@ def resolution(result: Result) -> Iterator[Finding]:
             yield moved(name, unit, value, by_modes, by_step, why)
 
 
-def with_twice_the_modes(scenario: Scenario) -> tuple[Figures | None, str]:
+def with_twice_the_modes(result: Result) -> tuple[Figures | None, str]:
     """The figures with twice the modes; or why there are none."""
-    count = 2 * scenario.numerics.modes
+    count = 2 * result.scenario.numerics.modes
     if count > MODES_AT_MOST:
         return None, f"{count} modes are more than can be had"
     try:
-        finer = simulate(replace(scenario, numerics=replace(scenario.numerics, modes=count)))
+        richer = simulate(finer(result.scenario, modes=count))
     except ArgumentError as error:
         return None, f"{count} modes cannot be had: {error.lines[0].rstrip('.')}"
-    return of_a_whole_run(finer, finer), ""
+    return of_a_whole_run(richer, result), ""
 
 
-def of_a_whole_run(finer: Result, result: Result) -> Figures | None:
+def of_a_whole_run(again: Result, result: Result) -> Figures | None:
     """The figures of a run that went as far as the result did. Raises KeyboardInterrupt where it was interrupted."""
-    if finer.status == "interrupted":
+    if again.status == "interrupted":
         raise KeyboardInterrupt
-    return figures_of_merit(finer) if finer.trials and finer.trials >= result.trials else None
+    return figures_of_merit(again) if again.trials and again.trials >= result.trials else None
 
 
 def moved(name: str, unit: str, value: float, modes: float | None, step: float | None, why: str) -> Finding:

@@ -6,8 +6,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from dampen.analysis.audit.energetics import given_by_control
-from dampen.analysis.merits import LATE
+from dampen.analysis.audit.energetics import given_by_control, late
 from dampen.analysis.metrics import tracking_error
 from dampen.simulation.bench import Bench
 from dampen.simulation.result import Result
@@ -56,11 +55,6 @@ def driven(result: Result) -> list[int]:
     if scenario.controller.kind == "none":
         return []
     return [p for p in range(len(scenario.ports)) if all(stage.gain for stage in scenario.chain(p))]
-
-
-def late(result: Result) -> range:
-    """The last five trials, or all there are."""
-    return range(max(result.trials - LATE, 0), result.trials)
 
 
 def sticking(result: Result) -> Sticking | None:

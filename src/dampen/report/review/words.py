@@ -11,7 +11,7 @@ from dampen.analysis.audit.finding import Finding
 from dampen.analysis.credit import Credit, Variant
 from dampen.analysis.limit.curve import Limit
 from dampen.analysis.limit.standing import Standing
-from dampen.report.study.views.sensitivity import listed
+from dampen.component import listed
 from dampen.report.style import TIMES, number, percent, quantity
 
 ALIKE = 0.1  # residuals closer than this share, or than the resolution, are alike

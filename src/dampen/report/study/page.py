@@ -7,6 +7,7 @@ from pathlib import Path
 
 import numpy as np
 
+from dampen.component import listed
 from dampen.report.page import embedded, smaller_format, template
 from dampen.report.study.axes import best_row, where_words
 from dampen.report.study.figures import draw_study, jobs_of_study
@@ -22,7 +23,6 @@ from dampen.report.study.tables import (
     summary,
 )
 from dampen.report.study.views.pareto import front
-from dampen.report.study.views.sensitivity import listed
 from dampen.report.style import DASH, percent
 from dampen.studies.rows import JUDGED, column, counts, statuses
 from dampen.studies.statistics import Proportion, Robustness, robustness

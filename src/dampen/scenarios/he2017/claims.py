@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 import numpy as np
 
-from dampen.analysis.audit.boundedness import bounded, boundedness
+from dampen.analysis.audit.boundedness import bounded, boundedness, late_trials
 from dampen.analysis.claims import Claim
 from dampen.analysis.composite_energy import LAMBDAS, CompositeEnergy, composite_energy, rises
 from dampen.analysis.metrics import field_rms, fraction_of_limit, largest, peaks, port_rms
@@ -116,7 +116,8 @@ def _theorem_1(result: Result, composite: Composite) -> Iterator[Claim]:
     growing = [finding.id.removeprefix("bounded.") for finding in rows if finding.verdict == "FAIL"]
     measured = f"{len(rows)} signals: " + (f"growing: {', '.join(growing)}" if growing else "none grows")
     yield Claim(
-        "T1", "Every signal, and E_j(t), is bounded in every trial", "largest of the last five trials <= 105 % of those before",
+        "T1", "Every signal, and E_j(t), is bounded in every trial",
+        f"largest of the last {late_trials(result.trials)} trials <= 105 % of those before",
         measured, None if all(finding.verdict == "n/a" for finding in rows) else not growing,
     )  # fmt: skip
 

@@ -12,6 +12,7 @@ import numpy as np
 
 from dampen.analysis.merits import columns, merit, merits
 from dampen.analysis.metrics import error_peaks
+from dampen.analysis.refinement import finer
 from dampen.analysis.tallied import tallied
 from dampen.component import ArgumentError
 from dampen.simulation.batch import alone
@@ -67,7 +68,7 @@ def judged(
     step()
     searches = [searched(one, definitions[0], step) for one in tuned]
     if best is None:
-        refined = finer(scenario)
+        refined = at_finer_numerics(scenario)
         step()
     else:
         refined = next(found.refined for one, found in zip(tuned, searches, strict=True) if one is best)
@@ -102,7 +103,7 @@ def study_folder(folder: Path | None, k: int) -> Path | None:
 
 def rank(objective: str) -> Callable[[Tuned], tuple[float, ...]]:
     """An order of searches: those first that keep the constraint, then by how much it is broken, then the objective."""
-    sign = -1 if merit(objective).better == "high" else 1
+    sign = merit(objective).sign
 
     def key(one: Tuned) -> tuple[float, ...]:
         row, kept = one.row, feasible(one.row)
@@ -114,7 +115,7 @@ def rank(objective: str) -> Callable[[Tuned], tuple[float, ...]]:
 
 def searched(one: Tuned, definition: Definition, step: Step) -> Searched:
     """What a search came to, with a run at finer numerics."""
-    refined = finer(one.scenario)
+    refined = at_finer_numerics(one.scenario)
     step()
     figures = {name: float(one.row.get(name, np.nan)) for name in columns(one.scenario)}
     return Searched(one.seed, one.kept, gains_of(one.scenario, definition), str(one.row["status"]), figures, refined)
@@ -166,7 +167,7 @@ def chosen(study: Study, objective: str) -> tuple[Row, tuple[str, ...]]:
     ran = [row for row in study.rows.rows if row["status"] in ("complete", "constraint_lost")]
     if not ran:
         return study.rows.by_member[0], ("no candidate ran to its end",)
-    sign = -1 if merit(objective).better == "high" else 1
+    sign = merit(objective).sign
     least = min(ran, key=lambda row: (row["unsettled"] > 0, violation(row), sign * row[objective], row["member"]))
     return least, ("no candidate keeps the constraint: the one that breaks it least",)
 
@@ -186,13 +187,12 @@ def run(scenario: Scenario, bench: Bench, folder: Path | None) -> Result:
     return result
 
 
-def finer(scenario: Scenario) -> Refined | None:
+def at_finer_numerics(scenario: Scenario) -> Refined | None:
     """The same gains at half the step, on a set of modes of its own that has twice as many, or as many as can be had."""
-    numerics = scenario.numerics
-    output = replace(scenario.output, every=2 * scenario.output.every)
-    for modes in dict.fromkeys((min(2 * numerics.modes, MODES_AT_MOST), numerics.modes)):
+    own = scenario.numerics.modes
+    for modes in dict.fromkeys((min(2 * own, MODES_AT_MOST), own)):
         try:
-            case = replace(scenario, numerics=replace(numerics, modes=modes, step=numerics.step / 2), output=output)
+            case = finer(scenario, 2, modes)
             bench = Bench(case)
             tally = alone(case, bench)
         except ArgumentError:

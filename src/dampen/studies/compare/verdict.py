@@ -5,9 +5,10 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from dampen.analysis.merits import merit
+from dampen.component import listed
 from dampen.simulation.scenario import Scenario
 from dampen.studies.compare.comparison import Contender, Run, ends, went_well
-from dampen.studies.compare.wording import figure, first_up, listed, over_searches, words
+from dampen.studies.compare.wording import figure, first_up, over_searches, words
 
 EFFORT = "effort"
 SENSITIVE = 2.0  # a factor between two numerics from which on a reader is told
@@ -114,7 +115,7 @@ def clearly(one: Contender, other: Contender, objective: str) -> bool:
 
 def front(held: Sequence[Contender], objective: str) -> list[Contender]:
     """Who is not bettered by anybody in one of objective and effort, and equalled in the other; by effort."""
-    sign = -1 if merit(objective).better == "high" else 1
+    sign = merit(objective).sign
     order = sorted(held, key=lambda one: (one.merits[EFFORT], sign * one.merits[objective]))
     kept: list[Contender] = []
     for one in order:
@@ -125,7 +126,7 @@ def front(held: Sequence[Contender], objective: str) -> list[Contender]:
 
 def best(scenario: Scenario, held: Sequence[Contender], objective: str) -> str:
     """The best, and who cannot be told apart from it."""
-    sign = -1 if merit(objective).better == "high" else 1
+    sign = merit(objective).sign
     first = min(held, key=lambda one: sign * one.merits[objective])
     near = [one for one in held if one is not first and not clearly(first, one, objective)]
     of = " as a share of the constraint" if scenario.task.constraint and objective in ("peak", "residual") else ""
@@ -174,7 +175,7 @@ def undefeated(scenario: Scenario, one: Contender, others: Sequence[Contender]) 
 
 def losses(scenario: Scenario, one: Contender, contenders: Sequence[Contender], objective: str) -> list[str]:
     """Whom a law loses to, by how much; [] where to nobody, or where it is not ranked."""
-    sign = -1 if merit(objective).better == "high" else 1
+    sign = merit(objective).sign
     winners = [o for o in rivals(one, contenders) if holds(one) and clearly(o, one, objective)]
     surely, once = split(one, sorted(winners, key=lambda o: sign * o.merits[objective]))
     own, sentences = f"in {words(objective)} ({figure(scenario, objective, one.merits)})", []

@@ -71,8 +71,3 @@ def words(name: str) -> str:
 def first_up(text: str) -> str:
     """With a capital."""
     return text[0].upper() + text[1:]
-
-
-def listed(names: Sequence[str]) -> str:
-    """Names in a sentence."""
-    return names[0] if len(names) == 1 else f"{', '.join(names[:-1])} and {names[-1]}"

@@ -7,6 +7,7 @@ from textwrap import wrap
 import numpy as np
 from matplotlib.figure import Figure
 
+from dampen.component import listed
 from dampen.report.axes import legend_row, panel, sheet
 from dampen.report.study.names import axis_names, math_name, merit_words, plain_name
 from dampen.report.style import DISPLACEMENT, INK, SINGLE, percent, tint
@@ -67,8 +68,3 @@ def _sentence(study: Study, merit: str, found: Indices) -> str:
 def _interval(ends: np.ndarray) -> str:
     low, high = (min(100, max(0, round(100 * float(end)))) for end in ends)  # beyond is noise
     return f"{low}\N{EN DASH}{high} %"
-
-
-def listed(words: list[str]) -> str:
-    """Words with commas and a last "and"."""
-    return words[0] if len(words) == 1 else f"{', '.join(words[:-1])} and {words[-1]}"
