@@ -19,16 +19,16 @@ from dampen.analysis.energy import energy_account
 from dampen.analysis.metrics import error_rms, first_beyond, fraction_of_limit
 from dampen.analysis.sampling_cost import Cost
 from dampen.cli import main
-from dampen.cli.run import continuous_twin
 from dampen.plants.base import Damping, Field
-from dampen.report import write_report
 from dampen.report.facts import cost_row, facts, status_sentence
 from dampen.report.figures import VIEWS, file_names
 from dampen.report.limits import limits_of
 from dampen.report.plan import MOST, default_plan
 from dampen.report.style import CONSTRAINT, MINUS, REFERENCE
 from dampen.report.views.samples import liveliest
+from dampen.report.write import write_report
 from dampen.simulation.stores import FileStore
+from dampen.studies.experiment import continuous_twin
 from tests.conftest import scenario
 
 COARSE = ("numerics.modes=16", "numerics.step=2e-3", "disturbance.frozen_at=0", "task.trials=4")

@@ -8,7 +8,7 @@ from typing import Annotated
 
 import typer
 
-from dampen.cli import compare, review, run, studies
+from dampen.cli import compare, lab, review, run, studies
 from dampen.cli.terminal import BROKE_OFF, COMPLETED, ScenarioArgument, WithListing, WithOverview, complain, err, out
 from dampen.component import ArgumentError
 
@@ -29,6 +29,7 @@ app = typer.Typer(
     "thousands of runs.",
 )
 app.command(cls=WithOverview, help=run.HELP)(run.run)
+app.command(help=lab.HELP)(lab.lab)
 app.command(help=review.AUDIT_HELP)(review.audit)
 app.command(help=review.CREDIT_HELP)(review.credit)
 app.command(help=review.LIMIT_HELP)(review.limit)

@@ -17,6 +17,7 @@ if TYPE_CHECKING:
     from dampen.simulation.bench import Bench
     from dampen.simulation.result import Result
     from dampen.simulation.scenario import Scenario
+    from dampen.studies.experiment import Runs
     from dampen.studies.record import Record
 
 HELP = (
@@ -70,9 +71,10 @@ def perform(
     import scipy.linalg  # noqa: F401  (loaded first, so that the limit below reaches its BLAS too)
     from threadpoolctl import threadpool_limits
 
-    from dampen.scenarios.claims import check_claims, figure_plan, note
+    from dampen.scenarios.claims import check_claims
     from dampen.scenarios.read import read_scenario
     from dampen.simulation.bench import Bench
+    from dampen.studies.experiment import own_review
     from dampen.studies.record import write_record
 
     experiment = read_scenario(scenario, set_ or ())
@@ -80,35 +82,22 @@ def perform(
     with threadpool_limits(1):
         bench = Bench(experiment)  # refuses what cannot be resolved, before anything is written
         folder = make_folder(folder, f"{experiment.name}-{purpose}" if purpose else experiment.name)
-        result, baseline, continuous = run_all(bench, folder)
-        for line in result.warnings:
+        runs = run_shown(bench, folder)
+        for line in runs.result.warnings:
             err.print(f"Note: {line}", markup=False)
-        if review is None or interrupted(result, baseline, continuous):  # after Ctrl-C nothing more is run
-            review = own_review
-        record, whole = review(bench, result)
+        if review is None or runs.interrupted:  # after Ctrl-C nothing more is run
+            record, whole = own_review(bench, runs.result), True
+        else:
+            record, whole = review(bench, runs.result)
     write_record(folder, record)
-    claims, page = check_claims(result, baseline), None
-    if report and result.trials:
-        from dampen.report import write_report
+    page = None
+    if report and runs.result.trials:
+        from dampen.report.write import report_of
 
         with working("Drawing figures"):
-            plan, about = figure_plan(result), note(result)
-            page = write_report(folder, result, baseline, claims, plan, about, continuous=continuous, record=record)
-    whole &= not (result.broke_off or (baseline is not None and baseline.broke_off))
-    return Done(folder, result, continuous, claims, record, page, whole)
-
-
-def interrupted(*runs: Result | None) -> bool:
-    """Whether any of some runs was."""
-    return any(run is not None and run.status == "interrupted" for run in runs)
-
-
-def own_review(bench: Bench, result: Result) -> tuple[Record, bool]:
-    """The audit of a run by itself."""
-    from dampen.analysis.audit.audit import audit
-    from dampen.studies.record import record
-
-    return record(result.scenario, audit=audit(result, refine=False, bench=bench) if result.trials else None), True
+            page = report_of(runs, folder, record)
+    whole &= not (runs.result.broke_off or (runs.baseline is not None and runs.baseline.broke_off))
+    return Done(folder, runs.result, runs.continuous, check_claims(runs.result, runs.baseline), record, page, whole)
 
 
 def finish(done: Done) -> None:
@@ -133,43 +122,13 @@ def make_folder(folder: Path | None, name: str) -> Path:
     return folder
 
 
-def run_all(bench: Bench, folder: Path) -> tuple[Result, Result | None, Result | None]:
-    """The run under the scenario's controller, the one without control and, of a sampled run, the one under the continuous law;
-    all into files as they go."""
-    from dampen.controllers.none import NoControl
-    from dampen.simulation.stores import FileStore
-    from dampen.simulation.trials import simulate
-    from dampen.toml import to_toml
+def run_shown(bench: Bench, folder: Path) -> Runs:
+    """All runs of an experiment, with their progress shown."""
+    from dampen.studies.experiment import beside, run_all
 
-    scenario = bench.scenario
-    (folder / "scenario.toml").write_text(to_toml(scenario), encoding="utf-8")
-    compile_ahead(scenario, bench)
-    controlled = not isinstance(scenario.controller, NoControl)
-    others = {"uncontrolled": scenario.uncontrolled(), "continuous": continuous_twin(scenario)} if controlled else {}
-    beside = {name: other for name, other in others.items() if other is not None}
-    done: dict[str, Result] = {}
-    with progress_line("Trials", scenario.task.trials * (1 + len(beside))) as update:
-
-        def advance(done: int, trials: int) -> None:
-            update(advance=1)
-
-        result = simulate(scenario, store=FileStore(folder / "result.nc"), progress=advance, bench=bench)
-        latest = result
-        for name, other in beside.items():
-            if latest.status != "interrupted":
-                done[name] = latest = simulate(other, store=FileStore(folder / f"{name}.nc"), progress=advance, bench=bench)
-    return result, done.get("uncontrolled") if controlled else result, done.get("continuous")
-
-
-def continuous_twin(scenario: Scenario) -> Scenario | None:
-    """A sampled scenario under the continuous law; None where there is none: the law needs samples, or its actuators do."""
-    from dampen.controllers.base import SampledFeedback
-    from dampen.controllers.none import NoControl
-
-    if not scenario.sampled or isinstance(scenario.controller, SampledFeedback | NoControl):
-        return None
-    chains = (scenario.chain(p) for p in range(len(scenario.ports)))
-    return scenario.continuous() if all(stage.monotone for chain in chains for stage in chain) else None
+    compile_ahead(bench.scenario, bench)
+    with progress_line("Trials", bench.scenario.task.trials * (1 + len(beside(bench.scenario)))) as update:
+        return run_all(bench, folder, lambda: update(advance=1))
 
 
 def compile_ahead(scenario: Scenario, bench: Bench) -> None:

@@ -1,3 +1,1 @@
-"""Report: figures and one self-contained page for a run."""
-
-from dampen.report.write import write_report as write_report
+"""Report: figures and one self-contained page for a run. Its face is `dampen.report.write`: drawing costs an import."""

@@ -19,6 +19,32 @@ INK = "#222222"
 FAINT = "#9A9A9A"
 DIVERGING = "RdBu_r"
 
+# The same meanings on a screen: text in `faint` has to be read there, and on dark paper every colour is a lighter one.
+PALETTES = {
+    "light": {
+        "displacement": DISPLACEMENT,
+        "rotation": ROTATION,
+        "uncontrolled": UNCONTROLLED,
+        "constraint": CONSTRAINT,
+        "learned": LEARNED,
+        "reference": REFERENCE,
+        "ink": INK,
+        "faint": "#666666",
+        "paper": "#FFFFFF",
+    },
+    "dark": {
+        "displacement": "#56B4E9",
+        "rotation": "#F0803C",
+        "uncontrolled": "#9A9A9A",
+        "constraint": "#E29CC3",
+        "learned": "#2FBF95",
+        "reference": "#DDDDDD",
+        "ink": "#EDEDED",
+        "faint": "#A8A8A8",
+        "paper": "#14171A",
+    },
+}
+
 DASHES, DOTS = (0, (4, 2)), (0, (1, 1.2))
 
 SINGLE, DOUBLE = 3.5, 7.16

@@ -12,9 +12,18 @@ from dampen.report.page import embedded, smaller_format, write_page
 from dampen.report.plan import completed, default_plan
 from dampen.report.review.figures import draw_review
 from dampen.report.review.parts import Parts, parts
+from dampen.scenarios.claims import check_claims, figure_plan, note
 from dampen.scenarios.figures import FigurePlan
 from dampen.simulation.result import Result
+from dampen.studies.experiment import Runs
 from dampen.studies.record import Record
+
+
+def report_of(runs: Runs, folder: Path, record: Record) -> Path:
+    """The report of an experiment: against the claims of its scenario, in the figures that belong to them."""
+    result, claims = runs.result, check_claims(runs.result, runs.baseline)
+    plan, about = figure_plan(result), note(result)
+    return write_report(folder, result, runs.baseline, claims, plan, about, continuous=runs.continuous, record=record)
 
 
 def write_report(

@@ -149,10 +149,25 @@ def build(table: Mapping[str, Any], folder: Path = Path()) -> Scenario:
 
 
 class Builder:
-    """Turns tables into objects, collecting every fault on the way."""
+    """Turns tables into objects, collecting every fault on the way.
+
+    What a table names outside itself goes through `kind`, `file` and `function`: override them where not everything may be named.
+    """
 
     def __init__(self, folder: Path):
         self.folder = folder
+
+    def kind(self, table: str, kind: object, where: str) -> type[Component]:
+        """The class that a `kind` names."""
+        return find_kind(table, kind, where, self.folder)
+
+    def file(self, name: str, where: str) -> str:
+        """The path of a file."""
+        return str((self.folder / name).resolve())
+
+    def function(self, name: str, where: str) -> Callable[..., Any]:
+        """A function of the user's own."""
+        return own_function(name, where, self.folder)
 
     def scenario(self, table: Mapping[str, Any]) -> Scenario:
         faults: list[str] = []
@@ -188,7 +203,7 @@ class Builder:
         if "kind" not in values:
             known = ", ".join(f'"{cls.kind}"' for cls in KINDS[table])
             raise ArgumentError(f"Argument `{where}.kind` must be given, one of {known}.")
-        cls = find_kind(table, values["kind"], where, self.folder)
+        cls = self.kind(table, values["kind"], where)
         return self.component(cls, {key: value for key, value in values.items() if key != "kind"}, where)
 
     def component(self, cls: type[Component], values: Any, where: str) -> Any:
@@ -219,9 +234,9 @@ class Builder:
         if isinstance(base, type) and issubclass(base, Component):
             return self.of_kind(kinds[base], value, where) if base in kinds else self.component(base, value, where)
         if any(isinstance(extra, InFile) for extra in extras) and isinstance(value, str) and value:
-            return str((self.folder / value).resolve())
+            return self.file(value, where)
         if isinstance(value, str) and any(get_origin(option) is Callable for option in inner):
-            return own_function(value, where, self.folder)
+            return self.function(value, where)
         if get_origin(base) is tuple and isinstance(value, list) and inner:
             return tuple(self.value(inner[0], v, f"{where}[{i}]") for i, v in enumerate(value))
         if get_origin(base) is dict and isinstance(value, dict):

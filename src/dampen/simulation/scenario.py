@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, field, fields, replace
 from functools import cached_property
 from typing import Annotated, Literal
 
@@ -178,11 +178,23 @@ class Scenario(Component):
 
     def reference(self, trial: int = 0) -> np.ndarray:
         """(steps + 1, ports) what the ports are to follow."""
-        return self.task.references(self.ports, self.times, trial)
+        return self._steady[0] if self.task.steady else self.task.references(self.ports, self.times, trial)
 
     def limits(self, trial: int = 0) -> tuple[np.ndarray, np.ndarray]:
         """(steps + 1, ports) lower and upper limits of the displacements, infinite where there is none."""
-        return self.task.limits(self.ports, self.times, trial)
+        return self._steady[1] if self.task.steady else self.task.limits(self.ports, self.times, trial)
+
+    @cached_property
+    def _steady(self) -> tuple[np.ndarray, tuple[np.ndarray, np.ndarray]]:
+        """Reference and limits, where every trial has the same: asked for many times a trial. Not to be written to."""
+        reference, limits = self.task.references(self.ports, self.times, 0), self.task.limits(self.ports, self.times, 0)
+        for array in (reference, *limits):
+            array.flags.writeable = False
+        return reference, limits
+
+    def __getstate__(self) -> dict[str, object]:
+        """For another process: what was given, not what follows from it."""
+        return {f.name: getattr(self, f.name) for f in fields(self)}
 
     def chain(self, index: int) -> tuple[Stage, ...]:
         """All stages between law and force at a port: the controller's own compensation, the scenario's, then the actuator."""

@@ -55,6 +55,8 @@ def setting_of(scenario: Scenario, bench: Bench | None = None, like: Setting | N
 
 def of_trial(setting: Setting, scenario: Scenario, trial: int) -> Setting:
     """The setting with the reference and the limits of another trial."""
+    if scenario.task.steady and len(setting.reference):
+        return setting
     t = np.arange(setting.steps + 1) * setting.dt
     reference = scenario.task.references(scenario.ports, t, trial)
     low, high = scenario.task.limits(scenario.ports, t, trial)
