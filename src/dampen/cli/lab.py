@@ -9,8 +9,8 @@ import typer
 from dampen.cli.terminal import err, out
 
 HELP = (
-    "Open the lab: a page in your browser where the structure moves and every parameter has its slider; at every change all trials "
-    "are run again.\n\nExamples:\n\n  dampen lab\n\n  dampen lab mine.toml\n\n  dampen lab runs/he2017/result.nc\n\n"
+    "Open the lab: a page in your browser where the structure moves and every parameter has its slider; at every change all "
+    "trials are run again.\n\nExamples:\n\n  dampen lab\n\n  dampen lab mine.toml\n\n  dampen lab runs/he2017/result.nc\n\n"
     "Runs on this machine and is reached from it only. Ctrl-C ends it."
 )
 

@@ -16,18 +16,26 @@ SECONDS = 10.0  # a run that would take longer belongs to `dampen run`
 MEMORY = 512 * 2**20
 PATIENCE = 30.0  # seconds after which a worker that has not answered is ended
 
-STEP, MODE = 4e-7, 1.2e-8  # seconds a step takes, and each mode in it: measured, loads and account included
-EIGENVALUES = 3e-10  # seconds, times the cube of the unknowns
+# Seconds, as measured on one core: a step with its signals, and each mode in it; a step of a load along the structure, which is
+# projected by a rule that is as fine as the modes or the grid; finding the modes.
+STEP, MODE = 6e-7, 2.5e-9
+LOAD, LOAD_MODES, LOAD_GRID = 4e-6, 2e-10, 1e-6
+SPECTRAL, GRID = 1.4e-8, 4e-10
+
 SIGNALS = 10  # doubles that a result keeps for each port and step
 KEPT = 128 * 2**20  # loads that a bench keeps
 
 
 def predicted_seconds(scenario: Scenario) -> float:
     """About how long a run takes, with setting it up."""
-    numerics = scenario.numerics
-    stepping = scenario.task.trials * scenario.steps * (STEP + MODE * numerics.modes)
-    unknowns = 2 * numerics.points if numerics.discretisation == "finite-difference" else 2 * numerics.modes
-    return stepping + EIGENVALUES * unknowns**3
+    numerics, trials, modes = scenario.numerics, scenario.task.trials, scenario.numerics.modes
+    on_grid = numerics.discretisation == "finite-difference"
+    found = GRID * (2 * numerics.points) ** 3 if on_grid else SPECTRAL * modes**3
+    load = 0.0
+    if any(part.load_field is not None for part in scenario.disturbance.parts):
+        shaken = len({scenario.disturbance.same_as(j) for j in range(trials)})
+        load = shaken * scenario.steps * (LOAD + (LOAD_GRID * numerics.points if on_grid else LOAD_MODES * modes**2))
+    return trials * scenario.steps * (STEP + MODE * modes) + load + found
 
 
 def predicted_bytes(scenario: Scenario) -> float:

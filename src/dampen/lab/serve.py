@@ -3,9 +3,11 @@
 from __future__ import annotations
 
 import shutil
+import signal
 import socket
 import tempfile
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -35,7 +37,7 @@ def listening(host: str, port: int | None) -> socket.socket:
                 continue
             reason = getattr(error, "strerror", None) or error
             raise ArgumentError(
-                f"Argument `--port` must be a port that is free on {host}, but {wanted} is not: {reason}."
+                f"Argument `--port` must be a port that is free on {host}, but {wanted} is not ({reason})."
             ) from None
         return own
     raise ArgumentError(f"Option `--host` must be an address of this machine, but is {host!r}.")
@@ -53,8 +55,10 @@ async def serve(source: str, own: socket.socket, host: str, ready: Callable[[], 
         lab.open(opening(source))
         await server(lab, host, ready).serve([own])
     finally:
-        await lab.workers.close()
-        shutil.rmtree(folder, ignore_errors=True)
+        try:
+            await lab.workers.close()
+        finally:
+            shutil.rmtree(folder, ignore_errors=True)
 
 
 def server(lab: Lab, host: str, ready: Callable[[], None]) -> Server:
@@ -63,7 +67,17 @@ def server(lab: Lab, host: str, ready: Callable[[], None]) -> Server:
 
     from dampen.lab.server import application
 
-    class Announcing(uvicorn.Server):
+    class LabServer(uvicorn.Server):
+        @contextmanager
+        def capture_signals(self) -> Iterator[None]:
+            """A signal ends the lab in good order; it is not raised again after that."""
+            before = {number: signal.signal(number, self.handle_exit) for number in (signal.SIGINT, signal.SIGTERM)}
+            try:
+                yield
+            finally:
+                for number, handler in before.items():
+                    signal.signal(number, handler)
+
         async def startup(self, sockets: list[socket.socket] | None = None) -> None:
             await super().startup(sockets)
             ready()
@@ -72,4 +86,4 @@ def server(lab: Lab, host: str, ready: Callable[[], None]) -> Server:
         application(lab, host), lifespan="off", log_level="warning", access_log=False, server_header=False, proxy_headers=False,
         ws_max_size=MESSAGE, ws_max_queue=4, ws_per_message_deflate=False, timeout_graceful_shutdown=1,
     )  # fmt: skip
-    return Announcing(config)
+    return LabServer(config)

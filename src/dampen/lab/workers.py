@@ -171,10 +171,15 @@ class Worker:
             await wish.customer.deliver(content if letter == b"b" else content.decode())
             self.leave_if_better()
 
-    async def end(self) -> None:
-        """End the process; the next wish starts another."""
+    def kill(self) -> None:
+        """End the process."""
         if self.process is not None and self.process.returncode is None:
             self.process.kill()
+
+    async def end(self) -> None:
+        """End the process, and see it ended; the next wish starts another."""
+        self.kill()
+        if self.process is not None:
             await self.process.wait()
 
     async def close(self) -> None:
@@ -235,5 +240,8 @@ class Workers:
         """End all."""
         if self.watch is not None:
             self.watch.cancel()
-        for worker in [*self.benches, *([self.clerk] if self.clerk else [])]:
+        workers = [*self.benches, *([self.clerk] if self.clerk else [])]
+        for worker in workers:
+            worker.kill()
+        for worker in workers:
             await worker.close()
