@@ -26,6 +26,7 @@ from dampen.toml import to_toml
 
 Say = Callable[[bytes | Mapping[str, Any]], None]
 BENCHES = 4
+REST, TICK = 0.2, 0.01  # seconds
 STREAMED = 32 * 2**20  # bytes of trials that follow a picture; the page asks for others as it needs them
 COMPILING = "Compiling the simulation kernel for this kind of experiment: once, some ten seconds."
 
@@ -71,6 +72,7 @@ class Desk:
             return
         about = {"id": id, "source": source, "seconds": seconds}
         self.say(picture(result, trial, bench, about))
+        self.breathe()
         sent = 0
         for j in (*range(trial + 1, result.trials), *range(min(trial, result.trials))):
             self.unless_newer()
@@ -111,6 +113,13 @@ class Desk:
         self.benches.move_to_end(key)
         self.benches[key].check_start(scenario)
         return self.benches[key]
+
+    def breathe(self) -> None:
+        """Let the page draw: what follows comes when the hand on the slider rests."""
+        end = time.monotonic() + REST
+        while time.monotonic() < end:
+            self.unless_newer()
+            time.sleep(TICK)
 
     def unless_newer(self, done: int = 0, trials: int = 0) -> None:
         """Leave what is being done if something newer waits."""

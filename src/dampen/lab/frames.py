@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import math
 import struct
 from collections.abc import Mapping
 from typing import Any
@@ -27,12 +28,21 @@ def framed(header: Mapping[str, Any], arrays: Mapping[str, Array]) -> bytes:
     for name, values in ready.items():
         places[name] = {"type": values.dtype.str[1:], "shape": list(values.shape), "at": at}
         at += padded(values.nbytes)
-    text = json.dumps({**header, "arrays": places}, allow_nan=False).encode()
+    text = json.dumps(finite({**header, "arrays": places}), allow_nan=False).encode()
     text += b" " * (padded(4 + len(text)) - 4 - len(text))
     parts = [struct.pack("<I", len(text)), text]
     for values in ready.values():
         parts += [values.tobytes(), bytes(padded(values.nbytes) - values.nbytes)]
     return b"".join(parts)
+
+
+def finite(value: Any) -> Any:
+    """The value as JSON can have it: numbers that are not finite are null."""
+    if isinstance(value, dict):
+        return {key: finite(inner) for key, inner in value.items()}
+    if isinstance(value, list):
+        return [finite(inner) for inner in value]
+    return None if isinstance(value, float) and not math.isfinite(value) else value
 
 
 def unframed(frame: bytes) -> tuple[dict[str, Any], dict[str, Array]]:

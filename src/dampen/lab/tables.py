@@ -58,7 +58,8 @@ class GuardedBuilder(Builder):
         self.trust = trust
 
     def kind(self, table: str, kind: object, where: str) -> type[Component]:
-        return find_kind(table, kind, where, self.trust.beside if kind in self.trust.own else self.folder)
+        own = isinstance(kind, str) and kind in self.trust.own
+        return find_kind(table, kind, where, self.trust.beside if own else self.folder)
 
     def file(self, name: str, where: str) -> str:
         path = self.trust.file(name)

@@ -67,7 +67,7 @@ class Worker:
                 outcome = {"failed": "This needs more memory than the lab gives one run."}
             except Exception as error:  # a fault of the lab's: the next job finds a worker all the same
                 traceback.print_exc()
-                outcome = {"failed": f"The lab could not do this: {type(error).__name__}: {error}"}
+                outcome = {"failed": f"This could not be computed: {type(error).__name__}: {error}"}
             self.answer(b".", json.dumps(outcome).encode())
 
     def do(self, job: dict[str, Any]) -> dict[str, Any]:

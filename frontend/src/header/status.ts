@@ -1,0 +1,80 @@
+// What the page says of itself: the line of status, banners, the warnings of a run.
+
+import { plain, prose } from "../controls/words";
+import { el, place, write } from "../dom";
+import { readableTime } from "../numbers";
+import type { Fault, Picture } from "../protocol";
+import { Menu } from "./menu";
+
+const PATIENCE = 600; // ms
+
+export class Status {
+  private readonly sentence = place("status");
+  private readonly banner = place("banner");
+  private readonly warnings = new Menu("");
+  private open = true;
+  private message = "";
+  private timer = 0;
+
+  constructor() {
+    this.warnings.element.hidden = true;
+    this.sentence.after(this.warnings.element);
+  }
+
+  /** Something has been asked for: says so if the answer takes its time. What stood in the banner is over. */
+  expect(): void {
+    clearTimeout(this.timer);
+    this.timer = window.setTimeout(() => this.say("Running."), PATIENCE);
+    this.tell("");
+  }
+
+  /** One sentence, read aloud when the reader is free. */
+  say(text: string, bad = false): void {
+    clearTimeout(this.timer);
+    this.sentence.classList.toggle("bad", bad);
+    write(this.sentence, text);
+  }
+
+  picture(picture: Picture): void {
+    this.say(outcome(picture), picture.status !== "complete");
+    const { warnings } = picture;
+    this.warnings.element.hidden = warnings.length === 0;
+    write(this.warnings.button, warnings.length === 1 ? "1 remark" : `${warnings.length} remarks`);
+    this.warnings.panel.replaceChildren(el("ul", {}, ...warnings.map((warning) => el("li", {}, ...prose(warning)))));
+  }
+
+  /** The first of what is wrong; `undone` is what has not been done for it. */
+  faults([first, ...others]: readonly Fault[], undone: string): void {
+    if (!first) return;
+    const more = others.length === 0 ? "" : ` And ${others.length} more.`;
+    this.say(plain(`${undone}: ${first.at} ${first.text}${more}`.replace(/\s+/g, " ")), true);
+  }
+
+  /** More than fits into the line: a banner, which stays until it is taken away with "". */
+  tell(text: string): void {
+    this.message = text;
+    this.showBanner();
+  }
+
+  /** The line to the server is there again, or gone. */
+  line(open: boolean): void {
+    this.open = open;
+    this.showBanner();
+  }
+
+  private showBanner(): void {
+    const text = this.open ? this.message : "The lab has been closed; start `dampen lab` again.";
+    this.banner.hidden = text === "";
+    write(this.banner, text);
+  }
+}
+
+/** "25 trials in 41 ms"; or how it ended. */
+function outcome({ status, trials, asked, seconds, source }: Picture): string {
+  const last = trials - 1;
+  if (status === "constraint_lost") return `The constraint was lost in trial ${last}, of ${asked}.`;
+  if (status === "diverged") return `The run diverged in trial ${last}, of ${asked}.`;
+  const count = `${trials} ${trials === 1 ? "trial" : "trials"}`;
+  if (status === "interrupted") return `Interrupted after ${count} of ${asked}.`;
+  return source === "file" ? `${count}, from a file` : `${count} in ${readableTime(seconds)}`;
+}

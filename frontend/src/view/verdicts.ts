@@ -1,0 +1,98 @@
+// What the review says: the verdict, the claims, and the findings of the audit.
+
+import type { Row, Said } from "../protocol";
+import { make } from "./dom";
+import { greek } from "./look";
+
+type Review = Extract<Said, { say: "review" }>;
+
+const ORDER = { FAIL: 0, PASS: 1, note: 2, "n/a": 3 };
+
+export class Verdicts {
+  readonly #root: HTMLElement;
+
+  constructor(root: HTMLElement) {
+    this.#root = root;
+    root.classList.add("verdicts");
+  }
+
+  show(review: Review | null): void {
+    this.#root.classList.toggle("pending", review === null);
+    this.#root.setAttribute("aria-busy", String(review === null));
+    if (review === null) {
+      if (!this.#root.firstChild) this.#root.append(make("p", { class: "faint" }, "The run is being reviewed …"));
+      return;
+    }
+    const open = new Set([...this.#root.querySelectorAll<HTMLDetailsElement>("details[data-section]")].filter((group) => group.open).map((group) => group.dataset["section"]));
+    this.#root.replaceChildren(
+      make("h2", {}, "Verdict"),
+      make("p", { class: "verdict" }, greek(review.verdict)),
+      ...(review.claims.length > 0 ? [claims(review.claims)] : []),
+      ...(review.findings.length > 0 ? [make("h3", {}, "Audit"), ...(review.audit ? [make("p", { class: "card-caption" }, greek(review.audit))] : [])] : []),
+      ...sections(review.findings).map(([section, rows]) => group(section, rows, open.has(section))),
+    );
+  }
+}
+
+function claims(rows: Row[]): HTMLElement {
+  const head = ["Claim", "Statement", "Measured", "Verdict"].map((text) => make("th", { scope: "col" }, text));
+  return make(
+    "table",
+    { class: "claims" },
+    make("caption", { class: "unseen" }, "Claims of the scenario"),
+    make("thead", {}, make("tr", {}, ...head)),
+    make(
+      "tbody",
+      {},
+      ...rows.map((row) =>
+        make(
+          "tr",
+          {},
+          make("th", { scope: "row" }, row.id),
+          make("td", {}, greek(row.statement), ...criterion(row)),
+          make("td", { class: "measured" }, greek(row.measured)),
+          make("td", {}, badge(row.verdict)),
+        ),
+      ),
+    ),
+  );
+}
+
+/** The findings by section, in the order in which sections come first. */
+function sections(rows: Row[]): [string, Row[]][] {
+  const groups = new Map<string, Row[]>();
+  for (const row of rows) groups.set(row.section, [...(groups.get(row.section) ?? []), row]);
+  return [...groups];
+}
+
+function group(section: string, rows: Row[], open: boolean): HTMLElement {
+  const asked = rows.filter(({ verdict }) => verdict === "PASS" || verdict === "FAIL");
+  const holding = asked.filter(({ verdict }) => verdict === "PASS").length;
+  const fails = holding < asked.length;
+  const count = asked.length === 0 ? "nothing to be judged" : `${holding} of ${asked.length} hold`;
+  const sorted = [...rows].sort((a, b) => ORDER[a.verdict] - ORDER[b.verdict]);
+  return make(
+    "details",
+    { class: "findings", open: open || fails, attributes: { "data-section": section } },
+    make("summary", {}, make("span", {}, greek(section)), make("span", { class: fails ? "count bad" : "count" }, count)),
+    make("ul", {}, ...sorted.map(finding)),
+  );
+}
+
+function finding(row: Row): HTMLElement {
+  return make(
+    "li",
+    { class: row.verdict === "note" || row.verdict === "n/a" ? "subdued" : "" },
+    badge(row.verdict),
+    make("div", {}, make("span", { class: "finding-statement" }, greek(row.statement)), " ", make("span", { class: "measured" }, greek(row.measured)), ...criterion(row)),
+  );
+}
+
+function criterion({ criterion: text }: Row): HTMLElement[] {
+  return text ? [make("div", { class: "criterion" }, greek(text))] : [];
+}
+
+function badge(verdict: Row["verdict"]): HTMLElement {
+  const words = { PASS: "✓ PASS", FAIL: "✗ FAIL", note: "note", "n/a": "n/a" };
+  return make("span", { class: `badge ${verdict === "n/a" ? "na" : verdict.toLowerCase()}` }, words[verdict]);
+}
