@@ -9,6 +9,7 @@ import { Legend } from "./legend";
 import { drawMarkers } from "./markers";
 import { simplified } from "./path";
 import { follow } from "./pointer";
+import { logMarks } from "./range";
 
 export interface Line {
   label: string;
@@ -164,7 +165,7 @@ export class Plot {
             ...axis,
             size: 52,
             space: 28,
-            ...(this.#options.log ? { filter: (_: uPlot, splits: number[]) => splits, grid: { ...grid, filter: (_: uPlot, splits: number[]) => wholePowers(splits) } } : {}),
+            ...(this.#options.log ? { splits: (_: uPlot, __: number, low: number, high: number) => logMarks(low, high), filter: (_: uPlot, splits: number[]) => splits, grid: { ...grid, filter: (_: uPlot, splits: number[]) => wholePowers(splits) } } : {}),
             values: (_, splits) => (this.#options.log ? powers(splits) : ticks(splits, this.#scales.factor ?? 1)),
           },
         ],

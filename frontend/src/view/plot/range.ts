@@ -30,3 +30,19 @@ export function decades(all: Values[]): [number, number] {
   const room = Math.max(1.6, Math.sqrt((10 * low) / high)); // at least a decade
   return [low / room, high * room];
 }
+
+const MANY = 10; // decades, above which only powers of ten are marked
+
+/** Marks of a logarithmic axis, exactly: added up they would miss the powers of ten by round-off. */
+export function logMarks(low: number, high: number): number[] {
+  const [first, last] = [Math.floor(Math.log10(low)), Math.ceil(Math.log10(high))];
+  const leads = last - first > MANY ? [1] : [1, 2, 3, 4, 5, 6, 7, 8, 9];
+  const marks: number[] = [];
+  for (let exponent = first; exponent <= last; exponent++) {
+    for (const lead of leads) {
+      const mark = Number(`${lead}e${exponent}`);
+      if (mark >= low && mark <= high) marks.push(mark);
+    }
+  }
+  return marks;
+}
