@@ -45,7 +45,7 @@ app.command(help=studies.PLOT_HELP)(studies.plot)
 def version(show: Annotated[bool, typer.Option("--version", help="Show the version and exit.")] = False) -> None:
     """Only carries --version."""
     if show:
-        from dampen.version import version as installed
+        from dampen.release import version as installed
 
         out.print(f"dampen {installed()}")
         raise typer.Exit

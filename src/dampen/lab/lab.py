@@ -5,13 +5,15 @@ from __future__ import annotations
 import secrets
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from dampen.component import ArgumentError
 from dampen.lab.limits import STORED
-from dampen.lab.opening import Opening
 from dampen.lab.workers import Customer, Workers, nowhere
-from dampen.scenarios.read import Table
+
+if TYPE_CHECKING:
+    from dampen.lab.opening import Opening
+    from dampen.scenarios.read import Table
 
 WISHES = ("run", "open")
 

@@ -2,8 +2,12 @@
 
 from __future__ import annotations
 
+from typing import TYPE_CHECKING
+
 from dampen.component import ArgumentError
-from dampen.simulation.scenario import Scenario
+
+if TYPE_CHECKING:
+    from dampen.simulation.scenario import Scenario
 
 MESSAGE = 256 * 2**10  # bytes of a request: scenarios are a few thousand
 ATTACHMENT = 16 * 2**20

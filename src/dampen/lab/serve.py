@@ -14,7 +14,6 @@ from typing import TYPE_CHECKING
 from dampen.component import ArgumentError
 from dampen.lab.lab import Lab
 from dampen.lab.limits import MESSAGE
-from dampen.lab.opening import opening
 
 if TYPE_CHECKING:
     from uvicorn import Server
@@ -51,7 +50,9 @@ async def serve(source: str, own: socket.socket, host: str, ready: Callable[[], 
     folder = Path(tempfile.mkdtemp(prefix="dampen-lab-"))
     lab = Lab(folder)
     try:
-        await lab.workers.benches[0].start()  # it loads what computes while the rest is made ready here
+        await lab.workers.benches[0].start()  # before this process, too, loads what it needs
+        from dampen.lab.opening import opening
+
         lab.open(opening(source))
         await server(lab, host, ready).serve([own])
     finally:

@@ -27,10 +27,10 @@ from dampen.lab.limits import MESSAGE, STORED, UPLOAD
 from dampen.lab.opening import shipped_table
 from dampen.lab.tables import faults
 from dampen.lab.workers import Customer, Said
+from dampen.release import version
 from dampen.report.style import PALETTES
 from dampen.scenarios.read import shipped, table_of
 from dampen.scenarios.schema import schema
-from dampen.version import version
 
 PAGE = Path(__file__).parent / "page"
 SLOW = 10.0  # seconds that a page may take to accept a message

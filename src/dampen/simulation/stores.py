@@ -10,8 +10,8 @@ from typing import Any
 import numpy as np
 
 from dampen.component import ArgumentError
+from dampen.release import version
 from dampen.simulation.result import Layout, Result
-from dampen.version import version
 
 Array = np.ndarray
 

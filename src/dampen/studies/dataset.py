@@ -7,9 +7,9 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from dampen.analysis.merits import columns, merit, merit_unit
+from dampen.release import version
 from dampen.studies.definition import Definition
 from dampen.toml import to_toml
-from dampen.version import version
 
 if TYPE_CHECKING:
     import pandas

@@ -15,12 +15,12 @@ import numpy as np
 
 from dampen.analysis.merits import columns
 from dampen.component import ArgumentError, suggestion, wrong
+from dampen.release import version
 from dampen.scenarios.read import build, parse
 from dampen.simulation.scenario import Scenario
 from dampen.studies.samples import latin, saltelli, sampled
 from dampen.studies.variation import Axis, Option, read_axis
 from dampen.toml import literal, to_toml
-from dampen.version import version
 
 Kind = Literal["sweep", "robust", "tune"]
 OPTION: dict[str, Option] = {"sweep": "vary", "robust": "uncertain", "tune": "search"}

@@ -13,10 +13,10 @@ from dampen.analysis.credit import Credit
 from dampen.analysis.limit.curve import Limit
 from dampen.analysis.limit.standing import Standing
 from dampen.component import ArgumentError
+from dampen.release import version
 from dampen.simulation.scenario import Scenario
 from dampen.studies.compare.comparison import Comparison
 from dampen.toml import to_toml
-from dampen.version import version
 
 SCHEMA = "dampen-audit/1"
 FILE = "audit.json"

@@ -8,6 +8,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from dampen.component import ArgumentError
+from dampen.release import version
 from dampen.scenarios.read import build, parse
 from dampen.simulation.bench import Bench
 from dampen.simulation.interrupt import interrupt_noted
@@ -18,7 +19,6 @@ from dampen.studies.handing_out import hand_out
 from dampen.studies.search import Search
 from dampen.studies.table import Table
 from dampen.toml import to_toml
-from dampen.version import version
 
 if TYPE_CHECKING:
     import pandas

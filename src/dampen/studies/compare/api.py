@@ -9,6 +9,7 @@ from pathlib import Path
 from typing import Any
 
 from dampen.component import ArgumentError, wrong
+from dampen.release import version
 from dampen.scenarios.results import load
 from dampen.simulation.bench import Bench
 from dampen.simulation.scenario import Scenario
@@ -22,7 +23,6 @@ from dampen.studies.definition import Definition, check_objectives, tune_of, who
 from dampen.studies.engines import Engine
 from dampen.studies.record import FILE, record, write_record
 from dampen.toml import literal, to_toml
-from dampen.version import version
 
 Progress = Callable[[str, int, int], None]
 DEFINITION = "compare.toml"
