@@ -71,10 +71,9 @@ export class Status {
 
 /** "25 trials in 41 ms"; or how it ended. */
 function outcome({ status, trials, asked, seconds, source }: Picture): string {
-  const last = trials - 1;
-  if (status === "constraint_lost") return `The constraint was lost in trial ${last}, of ${asked}.`;
-  if (status === "diverged") return `The run diverged in trial ${last}, of ${asked}.`;
+  if (status === "diverged") return `The run diverged in trial ${trials}, of ${asked}.`;
   const count = `${trials} ${trials === 1 ? "trial" : "trials"}`;
   if (status === "interrupted") return `Interrupted after ${count} of ${asked}.`;
-  return source === "file" ? `${count}, from a file` : `${count} in ${readableTime(seconds)}`;
+  const how = source === "file" ? `${count}, from a file` : `${count} in ${readableTime(seconds)}`;
+  return status === "constraint_lost" ? `${how}; the constraint was lost` : how;
 }

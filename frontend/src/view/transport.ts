@@ -26,7 +26,7 @@ const SPEEDS: [number, string][] = [
 export class Transport {
   readonly #play: HTMLButtonElement;
   readonly #scrub = make("input", { type: "range", min: "0", step: "any", class: "scrub", attributes: { "aria-label": "Time" } });
-  readonly #time = make("output", { class: "time" });
+  readonly #time = make("span", { class: "time" });
   readonly #speed = make("select", {}, ...SPEEDS.map(([value, text]) => make("option", { value: String(value) }, `${text} × real time`)));
   readonly #trial = make("input", { type: "range", min: "0", step: "1", attributes: { "aria-label": "Trial" } });
   readonly #number = make("input", { type: "number", min: "0", step: "1", attributes: { "aria-label": "Number of the trial" } });
