@@ -31,6 +31,16 @@ export function write(element: HTMLElement, text: string): void {
   if (element.textContent !== text) element.textContent = text;
 }
 
+/** The element that a drawing lives in: one picture to a screen reader. */
+export function figure(): HTMLElement {
+  return el("div", { class: "figure", role: "img" });
+}
+
+/** What a screen reader says of a drawing. */
+export function describe(element: HTMLElement, text: string): void {
+  if (element.getAttribute("aria-label") !== text) element.setAttribute("aria-label", text);
+}
+
 let count = 0;
 
 /** An id that no other element has. */

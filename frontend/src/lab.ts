@@ -50,6 +50,7 @@ export class Lab {
     });
     this.session = new Session(this.view, {
       drawn: (picture) => this.drawn(picture),
+      reviewed: (review) => this.status.reviewed(review),
       pinned: (label) => this.nowPinned(label),
       refused: (faults) => this.refused(faults, "Not run"),
       failed: (text) => this.failed(text),

@@ -50,7 +50,12 @@ export function without(root: Table, path: Path): Table {
   const holder = valueAt(root, above);
   const key = path[path.length - 1];
   if (key === undefined || valueAt(root, path) === undefined) return root;
-  if (Array.isArray(holder)) return withValue(root, above, holder.filter((_, index) => index !== key)) as Table;
+  if (Array.isArray(holder))
+    return withValue(
+      root,
+      above,
+      holder.filter((_, index) => index !== key),
+    ) as Table;
   const { [key]: _, ...kept } = holder as Table;
   const empty = Object.keys(kept).length === 0;
   if (empty && typeof above[above.length - 1] === "string") return without(root, above);

@@ -81,7 +81,7 @@ export type Said =
   | { say: "refused"; id: number; faults: Fault[] }
   | { say: "failed"; id: number; text: string } // the server's own trouble, or a limit of the server
   | { say: "note"; id: number; text: string } // "Compiling the simulation kernel; ..."
-  | { say: "review"; id: number; verdict: string; claims: Row[]; audit: string; findings: Row[]; table: Table }
+  | { say: "review"; id: number; verdict: string; claims: Row[]; audit: string; findings: Row[] }
   | { say: "complete"; id: number } // every trial has been sent, and the review
   | { say: "left"; id: number }; // broken off for something newer; ask again for what is missing
 

@@ -145,7 +145,9 @@ export class Run {
 
   #forget(): void {
     while (this.#held > HELD && this.#details.size > 1) {
-      const farthest = [...this.#details.keys()].reduce((a, b) => (Math.abs(b - this.looked) > Math.abs(a - this.looked) ? b : a));
+      const farthest = [...this.#details.keys()].reduce((a, b) =>
+        Math.abs(b - this.looked) > Math.abs(a - this.looked) ? b : a,
+      );
       this.#held -= this.#details.get(farthest)?.bytes ?? 0;
       this.#details.delete(farthest);
     }

@@ -31,6 +31,8 @@ interface Asking {
 
 export interface SessionEvents {
   drawn(picture: Picture): void;
+  /** What holds in the run; null: being worked out. */
+  reviewed(review: Extract<Said, { say: "review" }> | null): void;
   pinned(label: string | null): void;
   refused(faults: Fault[]): void;
   failed(text: string): void;
@@ -115,7 +117,7 @@ export class Session {
       return;
     }
     this.now = shown;
-    this.view.review(null);
+    this.review(null);
     await this.view.show(shown.run);
     if (this.now === shown) this.events.drawn(frame.header);
     tell("dampen:drawn", id);
@@ -145,7 +147,7 @@ export class Session {
         break;
       case "review":
         if (this.now?.id !== said.id) break;
-        this.view.review(said);
+        this.review(said);
         tell("dampen:review", said.id);
         break;
       case "complete":
@@ -154,6 +156,11 @@ export class Session {
         this.soon();
         break;
     }
+  }
+
+  private review(review: Extract<Said, { say: "review" }> | null): void {
+    this.view.review(review);
+    this.events.reviewed(review);
   }
 
   /** A question has been answered without a run; what could not be had a second time is not asked for a third time. */

@@ -90,7 +90,10 @@ export class CardList implements Field {
   }
 
   private remove(index: number): void {
-    this.form.scenario.set(this.path, this.items.filter((_, other) => other !== index));
+    this.form.scenario.set(
+      this.path,
+      this.items.filter((_, other) => other !== index),
+    );
     this.focus(Math.min(index, this.cards.length - 1), ".tools button:last-child");
   }
 

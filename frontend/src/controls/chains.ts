@@ -57,7 +57,8 @@ export class Chains implements Field {
   }
 
   private list(name: string, split: boolean): Field {
-    const doc = "Stages between the command and what is delivered, in this order. Without any, the command goes through as it is.";
+    const doc =
+      "Stages between the command and what is delivered, in this order. Without any, the command goes through as it is.";
     const item = { is: "kind", family: this.family } as const;
     const described = {
       name: name !== ALL ? name : split ? "all other ports" : "all ports",

@@ -36,7 +36,11 @@ export class NumberField implements Field {
     this.row.body.append(this.slider, this.input);
     this.slider.addEventListener("input", () => this.slide());
     this.slider.addEventListener("change", () => form.scenario.settle());
-    onTyped(this.input, () => this.typed(), () => form.scenario.settle());
+    onTyped(
+      this.input,
+      () => this.typed(),
+      () => form.scenario.settle(),
+    );
     this.update();
   }
 

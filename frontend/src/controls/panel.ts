@@ -38,7 +38,11 @@ export class ControlsPanel {
     this.sections = SECTIONS.map((plan, index) => new Section(form, plan, index < OPEN));
     this.folds.append(...this.sections.map((section) => section.element));
     this.changes = new ChangeList(form);
-    this.only = el("button", { type: "button", "aria-pressed": "false", onclick: () => this.showOnlyChanges(!this.folds.hidden) });
+    this.only = el("button", {
+      type: "button",
+      "aria-pressed": "false",
+      onclick: () => this.showOnlyChanges(!this.folds.hidden),
+    });
     this.search.addEventListener("input", () => this.sift());
     root.replaceChildren(
       el("div", { class: "finding" }, this.search, this.only),

@@ -46,7 +46,13 @@ export class TableField implements Field {
   }
 
   private unit(name: string): string {
-    return this.more[name] ?? unitAt(this.form.ports.find((port) => port.name === name), this.parameter);
+    return (
+      this.more[name] ??
+      unitAt(
+        this.form.ports.find((port) => port.name === name),
+        this.parameter,
+      )
+    );
   }
 
   private field(name: string): Field {

@@ -21,7 +21,11 @@ const words: Notation = { write: String, read: (text) => text.trim() };
 const list = (of: Type): Notation => ({
   write: (value) => (Array.isArray(value) ? value.map(String).join(", ") : String(value)),
   read: (text) => {
-    const items = text.replace(/^\s*\[|\]\s*$/g, "").split(/[,;]/).map((item) => item.trim()).filter(Boolean);
+    const items = text
+      .replace(/^\s*\[|\]\s*$/g, "")
+      .split(/[,;]/)
+      .map((item) => item.trim())
+      .filter(Boolean);
     return of.is === "number" || of.is === "integer" ? items.map(number) : items;
   },
 });
@@ -73,7 +77,11 @@ export class TextField implements Field {
       ...this.row.control,
     });
     this.row.body.append(this.input);
-    onTyped(this.input, () => this.typed(), () => form.scenario.settle());
+    onTyped(
+      this.input,
+      () => this.typed(),
+      () => form.scenario.settle(),
+    );
     this.update();
   }
 

@@ -46,7 +46,8 @@ export class Bar {
   private readonly beside: HTMLButtonElement;
 
   constructor(place: HTMLElement, schema: Schema, actions: BarActions, theme: ThemeSwitch) {
-    const button = (label: string, act: () => void, title?: string) => el("button", { type: "button", onclick: act, title }, label);
+    const button = (label: string, act: () => void, title?: string) =>
+      el("button", { type: "button", onclick: act, title }, label);
     const options = schema.scenarios.map(({ name, title }) => el("option", { value: name, title }, name));
     this.presets = el("select", { id: "preset", "aria-label": "Scenario" }, this.other, ...options);
     this.presets.addEventListener("change", () => actions.preset(this.presets.value));

@@ -3,7 +3,7 @@
 import { plain, prose } from "../controls/words";
 import { el, place, write } from "../dom";
 import { readableTime } from "../numbers";
-import type { Fault, Picture } from "../protocol";
+import type { Fault, Picture, Said } from "../protocol";
 import { Menu } from "./menu";
 
 const PATIENCE = 600; // ms
@@ -12,13 +12,19 @@ export class Status {
   private readonly sentence = place("status");
   private readonly banner = place("banner");
   private readonly warnings = new Menu("");
+  private readonly verdict = el("button", {
+    type: "button",
+    class: "quiet",
+    hidden: true,
+    onclick: () => place("verdicts").scrollIntoView(),
+  });
   private open = true;
   private message = "";
   private timer = 0;
 
   constructor() {
     this.warnings.element.hidden = true;
-    this.sentence.after(this.warnings.element);
+    this.sentence.after(this.verdict, this.warnings.element);
   }
 
   /** Something has been asked for: says so if the answer takes its time. What stood in the banner is over. */
@@ -41,6 +47,17 @@ export class Status {
     this.warnings.element.hidden = warnings.length === 0;
     write(this.warnings.button, warnings.length === 1 ? "1 remark" : `${warnings.length} remarks`);
     this.warnings.panel.replaceChildren(el("ul", {}, ...warnings.map((warning) => el("li", {}, ...prose(warning)))));
+  }
+
+  /** How many of the claims hold, or of the audit's findings where there are no claims; null: being worked out. */
+  reviewed(review: Extract<Said, { say: "review" }> | null): void {
+    this.verdict.classList.toggle("pending", review === null);
+    if (review === null) return;
+    const [rows, what] = review.claims.length > 0 ? [review.claims, "claims"] : [review.findings, "findings"];
+    const judged = rows.filter(({ verdict }) => verdict === "PASS" || verdict === "FAIL");
+    const holding = judged.filter(({ verdict }) => verdict === "PASS").length;
+    this.verdict.hidden = judged.length === 0;
+    write(this.verdict, `${holding} of ${judged.length} ${what} hold`);
   }
 
   /** The first of what is wrong; `undone` is what has not been done for it. */

@@ -1,6 +1,6 @@
 // Buttons with a drawn sign and a spoken name.
 
-import { make } from "./dom";
+import { el } from "../dom";
 
 const SVG = "http://www.w3.org/2000/svg";
 const SIGNS = {
@@ -15,13 +15,19 @@ const OPEN = new Set(["previous", "next"]); // lines, not areas
 
 export function icon(sign: "play" | "back" | "on" | "previous" | "next", name: string, onclick: () => void): HTMLButtonElement {
   const signs = sign === "play" ? [drawn("play"), drawn("pause")] : [drawn(sign)];
-  return make("button", { type: "button", class: "icon", title: name, onclick, attributes: { "aria-label": name } }, ...signs);
+  return el("button", { type: "button", class: "icon", title: name, onclick, "aria-label": name }, ...signs);
 }
 
 function drawn(sign: keyof typeof SIGNS): SVGElement {
   const svg = document.createElementNS(SVG, "svg");
   const path = document.createElementNS(SVG, "path");
-  const attributes = { viewBox: "0 0 18 18", width: "18", height: "18", "aria-hidden": "true", class: `sign-${sign}${OPEN.has(sign) ? " open" : ""}` };
+  const attributes = {
+    viewBox: "0 0 18 18",
+    width: "18",
+    height: "18",
+    "aria-hidden": "true",
+    class: `sign-${sign}${OPEN.has(sign) ? " open" : ""}`,
+  };
   for (const [name, value] of Object.entries(attributes)) svg.setAttribute(name, value);
   path.setAttribute("d", SIGNS[sign]);
   svg.append(path);

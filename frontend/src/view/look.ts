@@ -2,7 +2,19 @@
 
 import type { Port } from "../protocol";
 
-const TOKENS = ["ink", "faint", "paper", "card", "line", "displacement", "rotation", "uncontrolled", "constraint", "learned", "reference"] as const;
+const TOKENS = [
+  "ink",
+  "faint",
+  "paper",
+  "card",
+  "line",
+  "displacement",
+  "rotation",
+  "uncontrolled",
+  "constraint",
+  "learned",
+  "reference",
+] as const;
 const SPARE: { [token: string]: Token } = { card: "paper", line: "faint", reference: "ink" }; // where the page sets none
 
 export type Token = (typeof TOKENS)[number];

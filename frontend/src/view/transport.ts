@@ -1,6 +1,6 @@
 // The controls of time: play, step, scrub, speed, trial and span.
 
-import { make, say } from "./dom";
+import { el, write } from "../dom";
 import { cursorOf, endOf, type Scene, type Span } from "./scene";
 import { icon } from "./icons";
 
@@ -25,12 +25,16 @@ const SPEEDS: [number, string][] = [
 
 export class Transport {
   readonly #play: HTMLButtonElement;
-  readonly #scrub = make("input", { type: "range", min: "0", step: "any", class: "scrub", attributes: { "aria-label": "Time" } });
-  readonly #time = make("span", { class: "time" });
-  readonly #speed = make("select", {}, ...SPEEDS.map(([value, text]) => make("option", { value: String(value) }, `${text} × real time`)));
-  readonly #trial = make("input", { type: "range", min: "0", step: "1", attributes: { "aria-label": "Trial" } });
-  readonly #number = make("input", { type: "number", min: "0", step: "1", attributes: { "aria-label": "Number of the trial" } });
-  readonly #count = make("span", { class: "faint" });
+  readonly #scrub = el("input", { type: "range", min: "0", step: "any", class: "scrub", "aria-label": "Time" });
+  readonly #time = el("span", { class: "time" });
+  readonly #speed = el(
+    "select",
+    {},
+    ...SPEEDS.map(([value, text]) => el("option", { value: String(value) }, `${text} × real time`)),
+  );
+  readonly #trial = el("input", { type: "range", min: "0", step: "1", "aria-label": "Trial" });
+  readonly #number = el("input", { type: "number", min: "0", step: "1", "aria-label": "Number of the trial" });
+  readonly #count = el("span", { class: "faint" });
   readonly #spans: { [span in Span]: HTMLInputElement };
 
   constructor(root: HTMLElement, events: TransportEvents) {
@@ -41,13 +45,13 @@ export class Transport {
     this.#trial.oninput = () => events.jump(Number(this.#trial.value));
     this.#number.onchange = () => events.jump(Number(this.#number.value));
     const by = (trials: number) => () => events.jump(Number(this.#trial.value) + trials);
-    const span = (value: Span) => make("input", { type: "radio", name: "span", value, onchange: () => events.span(value) });
+    const span = (value: Span) => el("input", { type: "radio", name: "span", value, onchange: () => events.span(value) });
     this.#spans = { trial: span("trial"), run: span("run") };
 
-    const rows = make("div", { class: "transport" });
+    const rows = el("div", { class: "transport" });
     root.append(rows);
     rows.append(
-      make(
+      el(
         "div",
         { class: "transport-row" },
         icon("back", "A snapshot back (,)", () => events.step(-1)),
@@ -56,12 +60,27 @@ export class Transport {
         this.#scrub,
         this.#time,
       ),
-      make(
+      el(
         "div",
         { class: "transport-row" },
-        make("div", { class: "trials" }, make("span", {}, "Trial"), icon("previous", "Trial before ([)", by(-1)), this.#trial, icon("next", "Next trial (])", by(1)), this.#number, this.#count),
-        make("fieldset", { class: "spans" }, make("legend", { class: "unseen" }, "What the plots show"), make("label", {}, this.#spans.trial, make("span", {}, "this trial")), make("label", {}, this.#spans.run, make("span", {}, "whole run"))),
-        make("label", { class: "speed" }, make("span", {}, "Speed "), this.#speed),
+        el(
+          "div",
+          { class: "trials" },
+          el("span", {}, "Trial"),
+          icon("previous", "Trial before ([)", by(-1)),
+          this.#trial,
+          icon("next", "Next trial (])", by(1)),
+          this.#number,
+          this.#count,
+        ),
+        el(
+          "fieldset",
+          { class: "spans" },
+          el("legend", { class: "unseen" }, "What the plots show"),
+          el("label", {}, this.#spans.trial, el("span", {}, "this trial")),
+          el("label", {}, this.#spans.run, el("span", {}, "whole run")),
+        ),
+        el("label", { class: "speed" }, el("span", {}, "Speed "), this.#speed),
       ),
     );
   }
@@ -78,9 +97,9 @@ export class Transport {
     set(this.#trial, "value", String(trial));
     set(this.#number, "max", String(trials - 1));
     if (document.activeElement !== this.#number) set(this.#number, "value", String(trial));
-    say(this.#count, `of ${trials}, from 0`);
+    write(this.#count, `of ${trials}, from 0`);
     const at = `${cursorOf(scene).toFixed(duration < 0.1 ? 5 : 3)} s`;
-    say(this.#time, `${at} of ${Number(end.toFixed(6))} s`);
+    write(this.#time, `${at} of ${Number(end.toFixed(6))} s`);
     this.#scrub.setAttribute("aria-valuetext", `${at}, trial ${trial}`);
     this.#trial.setAttribute("aria-valuetext", `trial ${trial} of ${trials}`);
     this.#spans[span].checked = true;

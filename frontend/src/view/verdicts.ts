@@ -1,8 +1,7 @@
 // What the review says: the verdict, the claims, and the findings of the audit.
 
 import type { Row, Said } from "../protocol";
-import { make } from "./dom";
-import { greek } from "./look";
+import { el } from "../dom";
 
 type Review = Extract<Said, { say: "review" }>;
 
@@ -20,38 +19,44 @@ export class Verdicts {
     this.#root.classList.toggle("pending", review === null);
     this.#root.setAttribute("aria-busy", String(review === null));
     if (review === null) {
-      if (!this.#root.firstChild) this.#root.append(make("p", { class: "faint" }, "The run is being reviewed …"));
+      if (!this.#root.firstChild) this.#root.append(el("p", { class: "faint" }, "The run is being reviewed …"));
       return;
     }
-    const open = new Set([...this.#root.querySelectorAll<HTMLDetailsElement>("details[data-section]")].filter((group) => group.open).map((group) => group.dataset["section"]));
+    const open = new Set(
+      [...this.#root.querySelectorAll<HTMLDetailsElement>("details[data-section]")]
+        .filter((group) => group.open)
+        .map((group) => group.dataset["section"]),
+    );
     this.#root.replaceChildren(
-      make("h2", {}, "Verdict"),
-      make("p", { class: "verdict" }, greek(review.verdict)),
+      el("h2", {}, "Verdict"),
+      el("p", { class: "verdict" }, review.verdict),
       ...(review.claims.length > 0 ? [claims(review.claims)] : []),
-      ...(review.findings.length > 0 ? [make("h3", {}, "Audit"), ...(review.audit ? [make("p", { class: "card-caption" }, greek(review.audit))] : [])] : []),
+      ...(review.findings.length > 0
+        ? [el("h3", {}, "Audit"), ...(review.audit ? [el("p", { class: "card-caption" }, review.audit)] : [])]
+        : []),
       ...sections(review.findings).map(([section, rows]) => group(section, rows, open.has(section))),
     );
   }
 }
 
 function claims(rows: Row[]): HTMLElement {
-  const head = ["Claim", "Statement", "Measured", "Verdict"].map((text) => make("th", { scope: "col" }, text));
-  return make(
+  const head = ["Claim", "Statement", "Measured", "Verdict"].map((text) => el("th", { scope: "col" }, text));
+  return el(
     "table",
     { class: "claims" },
-    make("caption", { class: "unseen" }, "Claims of the scenario"),
-    make("thead", {}, make("tr", {}, ...head)),
-    make(
+    el("caption", { class: "unseen" }, "Claims of the scenario"),
+    el("thead", {}, el("tr", {}, ...head)),
+    el(
       "tbody",
       {},
       ...rows.map((row) =>
-        make(
+        el(
           "tr",
           {},
-          make("th", { scope: "row" }, row.id),
-          make("td", {}, greek(row.statement), ...criterion(row)),
-          make("td", { class: "measured" }, greek(row.measured)),
-          make("td", {}, badge(row.verdict)),
+          el("th", { scope: "row" }, row.id),
+          el("td", {}, row.statement, ...criterion(row)),
+          el("td", { class: "measured" }, row.measured),
+          el("td", {}, badge(row.verdict)),
         ),
       ),
     ),
@@ -71,28 +76,35 @@ function group(section: string, rows: Row[], open: boolean): HTMLElement {
   const fails = holding < asked.length;
   const count = asked.length === 0 ? "nothing to be judged" : `${holding} of ${asked.length} hold`;
   const sorted = [...rows].sort((a, b) => ORDER[a.verdict] - ORDER[b.verdict]);
-  return make(
+  return el(
     "details",
-    { class: "findings", open: open || fails, attributes: { "data-section": section } },
-    make("summary", {}, make("span", {}, greek(section)), make("span", { class: fails ? "count bad" : "count" }, count)),
-    make("ul", {}, ...sorted.map(finding)),
+    { class: "findings", open: open || fails, "data-section": section },
+    el("summary", {}, el("span", {}, section), el("span", { class: fails ? "count bad" : "count" }, count)),
+    el("ul", {}, ...sorted.map(finding)),
   );
 }
 
 function finding(row: Row): HTMLElement {
-  return make(
+  return el(
     "li",
     { class: row.verdict === "note" || row.verdict === "n/a" ? "subdued" : "" },
     badge(row.verdict),
-    make("div", {}, make("span", { class: "finding-statement" }, greek(row.statement)), " ", make("span", { class: "measured" }, greek(row.measured)), ...criterion(row)),
+    el(
+      "div",
+      {},
+      el("span", { class: "finding-statement" }, row.statement),
+      " ",
+      el("span", { class: "measured" }, row.measured),
+      ...criterion(row),
+    ),
   );
 }
 
 function criterion({ criterion: text }: Row): HTMLElement[] {
-  return text ? [make("div", { class: "criterion" }, greek(text))] : [];
+  return text ? [el("div", { class: "criterion" }, text)] : [];
 }
 
 function badge(verdict: Row["verdict"]): HTMLElement {
   const words = { PASS: "✓ PASS", FAIL: "✗ FAIL", note: "note", "n/a": "n/a" };
-  return make("span", { class: `badge ${verdict === "n/a" ? "na" : verdict.toLowerCase()}` }, words[verdict]);
+  return el("span", { class: `badge ${verdict === "n/a" ? "na" : verdict.toLowerCase()}` }, words[verdict]);
 }

@@ -60,7 +60,14 @@ export class View {
     const step = (by: 1 | -1) => this.#step(by);
     const play = (playing: boolean) => this.#change({ playing });
     this.#stage = new Stage(places.stage, this.#look, (exaggeration) => this.#change({ exaggeration }));
-    this.#transport = new Transport(places.transport, { play, step, seek, jump, speed: (speed) => this.#change({ speed }), span: (span) => this.#change({ span }) });
+    this.#transport = new Transport(places.transport, {
+      play,
+      step,
+      seek,
+      jump,
+      speed: (speed) => this.#change({ speed }),
+      span: (span) => this.#change({ span }),
+    });
     this.#panels = new Panels(places.panels, { look: this.#look, seek, jump });
     this.#verdicts = new Verdicts(places.verdicts);
     onKeys({
@@ -134,7 +141,16 @@ export class View {
     const snapshot = Math.round((this.#state.time / duration) * between) + by;
     const within = snapshot >= 0 && snapshot <= between;
     if (within) this.#change({ playing: false, time: (snapshot / between) * duration });
-    else this.#change({ playing: false, ...later({ trial: this.#state.trial, time: by > 0 ? duration : 0 }, by > 0 ? 0 : trials * duration - 1e-9, trials, duration) });
+    else
+      this.#change({
+        playing: false,
+        ...later(
+          { trial: this.#state.trial, time: by > 0 ? duration : 0 },
+          by > 0 ? 0 : trials * duration - 1e-9,
+          trials,
+          duration,
+        ),
+      });
   }
 
   /** A change that the user has made. */

@@ -1,29 +1,29 @@
 // The frame of a panel: a heading, a caption with a number or two, a legend and the drawing.
 
-import { make, say } from "../dom";
+import { el, write } from "../../dom";
 
 let cards = 0;
 
 export class Card {
   readonly root: HTMLElement;
-  readonly body = make("div", { class: "card-body" });
-  readonly #title = make("span", {});
-  readonly #unit = make("span", { class: "card-unit" });
-  readonly #caption = make("p", { class: "card-caption" });
+  readonly body = el("div", { class: "card-body" });
+  readonly #title = el("span", {});
+  readonly #unit = el("span", { class: "card-unit" });
+  readonly #caption = el("p", { class: "card-caption" });
 
   constructor(...extras: HTMLElement[]) {
     const id = `card-${++cards}`;
-    const heading = make("h3", { id }, this.#title, " ", this.#unit);
-    this.root = make("article", { class: "card", attributes: { "aria-labelledby": id } }, heading, this.#caption, ...extras, this.body);
+    const heading = el("h3", { id }, this.#title, " ", this.#unit);
+    this.root = el("article", { class: "card", "aria-labelledby": id }, heading, this.#caption, ...extras, this.body);
   }
 
   /** "Tip displacement" and "w(L, t) [mm]" */
   title(words: string, unit: string): void {
-    say(this.#title, words);
-    say(this.#unit, unit);
+    write(this.#title, words);
+    write(this.#unit, unit);
   }
 
   caption(text: string): void {
-    say(this.#caption, text);
+    write(this.#caption, text);
   }
 }

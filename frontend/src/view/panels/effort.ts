@@ -1,6 +1,6 @@
 // Command and delivered effort of a port against time.
 
-import { describe, figure } from "../dom";
+import { describe, figure } from "../../dom";
 import { Measure } from "../format";
 import { capital, effortOf, lookOf } from "../look";
 import { tickTrials } from "../plot/paint";
@@ -50,7 +50,11 @@ export class Effort implements Panel {
     if (behind) lines.push({ label: `${scene.pinned!.label}, delivered`, token, values: behind, ...BEHIND, says });
     lines.push({ label: "command", token: "faint", values: command.values, dash: [5, 3], width: 1, says });
     lines.push({ label: "delivered", token, values: delivered.values, says });
-    this.#plot.draw(delivered.time, lines, { x: [0, endOf(scene)], y: extent(lines.map(({ values }) => values)), factor: measure.factor });
+    this.#plot.draw(delivered.time, lines, {
+      x: [0, endOf(scene)],
+      y: extent(lines.map(({ values }) => values)),
+      factor: measure.factor,
+    });
 
     this.card.title(capital(effortOf(port)), `[${measure.unit}]`);
     const caption = `Largest ${measure.text(asked)} commanded, ${measure.text(largest)} delivered ${trial === null ? "in all trials" : `in trial ${trial}`}.`;

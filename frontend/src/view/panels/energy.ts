@@ -1,6 +1,6 @@
 // Energy of the structure and of the barrier against time, and the account of the whole run.
 
-import { describe, figure } from "../dom";
+import { describe, figure } from "../../dom";
 import { Measure } from "../format";
 import { tickTrials } from "../plot/paint";
 import { BEHIND, type Line, Plot } from "../plot/plot";

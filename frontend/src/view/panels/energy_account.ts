@@ -1,6 +1,6 @@
 // Where the energy of the whole run came from and where it went, as a table that must close.
 
-import { make } from "../dom";
+import { el } from "../../dom";
 import { Measure, number } from "../format";
 import type { Pinned } from "../scene";
 
@@ -18,12 +18,12 @@ const ALWAYS = new Set(["initial", "law", "final"]);
 const TAKEN = new Set(["dissipated"]); // written as what leaves
 
 export class EnergyAccount {
-  readonly root = make("details", { class: "account", open: true }, make("summary", {}, "Account of the whole run"));
-  readonly #body = make("tbody", {});
-  readonly #closing = make("p", { class: "account-closing" });
+  readonly root = el("details", { class: "account", open: true }, el("summary", {}, "Account of the whole run"));
+  readonly #body = el("tbody", {});
+  readonly #closing = el("p", { class: "account-closing" });
 
   constructor() {
-    this.root.append(make("table", {}, make("caption", { class: "unseen" }, "Energy account"), this.#body), this.#closing);
+    this.root.append(el("table", {}, el("caption", { class: "unseen" }, "Energy account"), this.#body), this.#closing);
   }
 
   fill(energy: { [name: string]: number }, pinned: Pinned | null): void {
@@ -31,18 +31,22 @@ export class EnergyAccount {
     const measure = new Measure(largest, "J");
     const said = (of: { [name: string]: number }, key: string) => {
       const value = (TAKEN.has(key) ? -1 : 1) * (of[key] ?? 0);
-      return ALWAYS.has(key) && (key === "initial" || key === "final") ? measure.text(value) : `${value > 0 ? "+" : ""}${measure.text(value)}`;
+      return ALWAYS.has(key) && (key === "initial" || key === "final")
+        ? measure.text(value)
+        : `${value > 0 ? "+" : ""}${measure.text(value)}`;
     };
     const rows = ENTRIES.filter(([key]) => ALWAYS.has(key) || energy[key] || pinned?.run.picture.energy[key]);
     this.#body.replaceChildren(
-      ...(pinned ? [make("tr", {}, make("td", {}), make("th", { scope: "col" }, "now"), make("th", { scope: "col" }, pinned.label))] : []),
+      ...(pinned
+        ? [el("tr", {}, el("td", {}), el("th", { scope: "col" }, "now"), el("th", { scope: "col" }, pinned.label))]
+        : []),
       ...rows.map(([key, words]) =>
-        make(
+        el(
           "tr",
           { class: key === "final" ? "total" : "" },
-          make("th", { scope: "row" }, words),
-          make("td", {}, said(energy, key)),
-          ...(pinned ? [make("td", {}, said(pinned.run.picture.energy, key))] : []),
+          el("th", { scope: "row" }, words),
+          el("td", {}, said(energy, key)),
+          ...(pinned ? [el("td", {}, said(pinned.run.picture.energy, key))] : []),
         ),
       ),
     );

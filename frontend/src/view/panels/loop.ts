@@ -2,7 +2,7 @@
 
 import type uPlot from "uplot";
 import type { Port } from "../../protocol";
-import { describe, figure } from "../dom";
+import { describe, figure } from "../../dom";
 import { Measure, number } from "../format";
 import { capital, effortOf, type Look, lookOf, type Token } from "../look";
 import { simplifiedLoop } from "../plot/path";
@@ -35,7 +35,13 @@ export class ActuatorLoop implements Panel {
     this.#look = hands.look;
     this.#index = index;
     this.#token = lookOf(ports, index).token;
-    this.#plot = new Plot(this.#figure, { look: hands.look, height: 290, dot: this.#token, xTitle: () => `command [${this.#unit}]`, over: (plot) => this.#over(plot) });
+    this.#plot = new Plot(this.#figure, {
+      look: hands.look,
+      height: 290,
+      dot: this.#token,
+      xTitle: () => `command [${this.#unit}]`,
+      over: (plot) => this.#over(plot),
+    });
     this.card = new Card(this.#plot.legend.root);
     this.card.body.append(this.#figure);
   }
@@ -60,10 +66,16 @@ export class ActuatorLoop implements Panel {
       ...(this.#pinned ? [{ label: pinned!.label, token: this.#token, dash: [4, 3], width: 1, alpha: 0.65 }] : []),
       { label: this.#pinned ? "now" : "delivered", token: this.#token },
     ];
-    this.#plot.draw(Float64Array.of(...x), lines.map((line) => ({ ...line, values: NOTHING })), { x, y, factor: measure.factor, xFactor: measure.factor });
+    this.#plot.draw(
+      Float64Array.of(...x),
+      lines.map((line) => ({ ...line, values: NOTHING })),
+      { x, y, factor: measure.factor, xFactor: measure.factor },
+    );
 
     this.card.title(`${capital(effortOf(port))} loop`, `delivered [${measure.unit}]`);
-    const caption = detail ? `Trial ${trial}: ${share(this.#now!, this.#gain, port.effort_unit)}.` : `Trial ${trial} is on its way.`;
+    const caption = detail
+      ? `Trial ${trial}: ${share(this.#now!, this.#gain, port.effort_unit)}.`
+      : `Trial ${trial} is on its way.`;
     this.card.caption(caption);
     describe(this.#figure, `Delivered against commanded ${effortOf(port)}. ${caption}`);
   }
@@ -89,7 +101,13 @@ export class ActuatorLoop implements Panel {
     ctx.rect(bbox.left, bbox.top, bbox.width, bbox.height);
     ctx.clip();
     const [low, high] = [plot.scales["x"]!.min!, plot.scales["x"]!.max!];
-    stroke(plot, { command: Float32Array.of(low, high), delivered: Float32Array.of(low * this.#gain, high * this.#gain) }, this.#look.colour("faint"), scale, [5 * scale, 3 * scale]);
+    stroke(
+      plot,
+      { command: Float32Array.of(low, high), delivered: Float32Array.of(low * this.#gain, high * this.#gain) },
+      this.#look.colour("faint"),
+      scale,
+      [5 * scale, 3 * scale],
+    );
     ctx.globalAlpha = 0.65;
     if (this.#pinned) stroke(plot, this.#pinned, this.#look.colour(this.#token), scale, [4 * scale, 3 * scale]);
     ctx.globalAlpha = 1;

@@ -3,7 +3,7 @@
 import type uPlot from "uplot";
 import type { Port } from "../../protocol";
 import type { Curve, Run } from "../../run";
-import { describe, figure } from "../dom";
+import { describe, figure } from "../../dom";
 import { Measure } from "../format";
 import { capital, lookOf, motionOf, symbolOf } from "../look";
 import { forbid, tickTrials } from "../plot/paint";
@@ -61,14 +61,25 @@ export class Motion implements Panel {
     const lines: Line[] = [];
     if (behind) lines.push({ label: scene.pinned!.label, token: look.token, values: behind, ...BEHIND, says });
     if (run.picture.tracking) {
-      lines.push({ label: "reference", token: "reference", values: run.curve("reference", this.#index, trial).values, dash: [1.5, 2.5], says });
+      lines.push({
+        label: "reference",
+        token: "reference",
+        values: run.curve("reference", this.#index, trial).values,
+        dash: [1.5, 2.5],
+        says,
+      });
     }
     for (const [side, limit] of Object.entries(this.#limits) as [keyof Limits, Curve | null][]) {
       const unlisted = side === "high" && this.#limits.low !== null;
-      if (limit) lines.push({ label: "constraint", token: "constraint", values: limit.values, dash: [6, 4], width: 1.2, unlisted });
+      if (limit)
+        lines.push({ label: "constraint", token: "constraint", values: limit.values, dash: [6, 4], width: 1.2, unlisted });
     }
     lines.push({ label: behind ? "now" : symbolOf(port), token: look.token, values: curve.values, dash: look.dash, says });
-    this.#plot.draw(curve.time, lines, { x: [0, endOf(scene)], y: extent(lines.map(({ values }) => values)), factor: measure.factor });
+    this.#plot.draw(curve.time, lines, {
+      x: [0, endOf(scene)],
+      y: extent(lines.map(({ values }) => values)),
+      factor: measure.factor,
+    });
 
     this.card.title(capital(motionOf(port)), `${symbolOf(port)} [${measure.unit}]`);
     const caption = this.#sentence(scene, port, measure);

@@ -1,6 +1,6 @@
 // What is learned: the largest error of each trial.
 
-import { describe, figure } from "../dom";
+import { describe, figure } from "../../dom";
 import { quantity } from "../format";
 import { capital, lookOf, motionOf } from "../look";
 import { BEHIND, type Line, Plot } from "../plot/plot";
@@ -50,7 +50,8 @@ export class Peaks implements Panel {
 
     const units = [...new Set(run.ports.map(({ motion_unit }) => `[${motion_unit}]`))].join(", ");
     this.card.title(run.picture.tracking ? "Largest tracking error of each trial" : "Peak of each trial", units);
-    const said = (trial: number, index: number) => `${quantity(run.peak(trial, index), run.ports[index]!.motion_unit)} in trial ${trial}`;
+    const said = (trial: number, index: number) =>
+      `${quantity(run.peak(trial, index), run.ports[index]!.motion_unit)} in trial ${trial}`;
     const sentences = run.ports.map((port, index) => `${motionOf(port)} ${said(0, index)}, ${said(trials - 1, index)}`);
     this.card.caption(trials > 0 ? `${capital(sentences[0] ?? "")}.` : "No trial has been finished.");
     describe(this.#figure, `Peaks on a logarithmic axis against trials. ${sentences.map(capital).join(". ")}.`);

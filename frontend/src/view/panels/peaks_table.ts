@@ -1,12 +1,12 @@
 // The peaks as a table, for those who do not see the plot.
 
 import type { Run } from "../../run";
-import { make, say } from "../dom";
+import { el, write } from "../../dom";
 import { quantity } from "../format";
 import { motionOf } from "../look";
 
 export class PeaksTable {
-  readonly root = make("div", { class: "unseen" });
+  readonly root = el("div", { class: "unseen" });
   #cells: HTMLTableCellElement[] = [];
   #made = "";
 
@@ -15,24 +15,29 @@ export class PeaksTable {
     const wanted = [trials, ...ports.map(({ name }) => name)].join();
     if (wanted !== this.#made) {
       this.#made = wanted;
-      this.#make(run);
+      this.#el(run);
     }
     this.#cells.forEach((cell, i) => {
       const value = run.peaks[i]!;
       cell.dataset["value"] = String(value);
-      say(cell, quantity(value, ports[i % ports.length]!.motion_unit));
+      write(cell, quantity(value, ports[i % ports.length]!.motion_unit));
     });
   }
 
-  #make({ picture: { trials, ports } }: Run): void {
+  #el({ picture: { trials, ports } }: Run): void {
     this.#cells = [];
-    const head = make("tr", {}, make("th", { scope: "col" }, "Trial"), ...ports.map((port) => make("th", { scope: "col" }, `Largest ${motionOf(port)}`)));
+    const head = el(
+      "tr",
+      {},
+      el("th", { scope: "col" }, "Trial"),
+      ...ports.map((port) => el("th", { scope: "col" }, `Largest ${motionOf(port)}`)),
+    );
     const rows = Array.from({ length: trials }, (_, trial) => {
-      const cells = ports.map((port) => make("td", { attributes: { "data-port": port.name, "data-trial": String(trial) } }));
+      const cells = ports.map((port) => el("td", { "data-port": port.name, "data-trial": String(trial) }));
       this.#cells.push(...cells);
-      return make("tr", {}, make("th", { scope: "row" }, String(trial)), ...cells);
+      return el("tr", {}, el("th", { scope: "row" }, String(trial)), ...cells);
     });
-    const caption = make("caption", {}, "Peaks of every trial");
-    this.root.replaceChildren(make("table", { attributes: { "data-role": "peaks" } }, caption, make("thead", {}, head), make("tbody", {}, ...rows)));
+    const caption = el("caption", {}, "Peaks of every trial");
+    this.root.replaceChildren(el("table", { "data-role": "peaks" }, caption, el("thead", {}, head), el("tbody", {}, ...rows)));
   }
 }

@@ -1,6 +1,6 @@
 // A field over time and place; that of the pinned run below it, with the same limits.
 
-import { make } from "../dom";
+import { el } from "../../dom";
 import { Measure, number } from "../format";
 import { greek } from "../look";
 import { ColourBar } from "../plot/colour_bar";
@@ -15,10 +15,10 @@ export class Surface implements Panel {
   readonly card: Card;
   readonly #hands: Hands;
   readonly #bar = new ColourBar();
-  readonly #choice = make("select", { attributes: { "aria-label": "Field to be seen" } });
+  readonly #choice = el("select", { "aria-label": "Field to be seen" });
   readonly #now: HeatMap;
   readonly #pinned: HeatMap;
-  readonly #label = make("p", { class: "card-note" });
+  readonly #label = el("p", { class: "card-note" });
   #scene: Scene | null = null;
   #caption = "";
   #name = "";
@@ -31,9 +31,9 @@ export class Surface implements Panel {
     const hovered = (value: number, time: number, place: number) => this.#hovered(value, time, place);
     this.#now = new HeatMap(hands.look, 170, hands.seek, hovered);
     this.#pinned = new HeatMap(hands.look, 150, hands.seek, hovered);
-    this.#choice.append(...fields.map(({ name }) => make("option", { value: name }, `${greek(name)}(x, t)`)));
+    this.#choice.append(...fields.map(({ name }) => el("option", { value: name }, `${greek(name)}(x, t)`)));
     this.#choice.onchange = () => this.#scene && (this.draw(this.#scene), this.cursor(this.#scene));
-    this.card = new Card(make("div", { class: "card-tools" }, ...(fields.length > 1 ? [this.#choice] : []), this.#bar.root));
+    this.card = new Card(el("div", { class: "card-tools" }, ...(fields.length > 1 ? [this.#choice] : []), this.#bar.root));
     this.card.body.append(this.#now.root, this.#label, this.#pinned.root);
   }
 
@@ -49,7 +49,14 @@ export class Surface implements Panel {
     const own = `Largest ${measure.text(run.largestOfField(name, within))} ${within === null ? "in all trials" : `in trial ${trial}`}`;
 
     this.#bar.draw(limit, measure, this.#colours);
-    this.#now.draw(fieldOf(run, name, within), run.picture.span, endOf(scene), limit, this.#colours, `${words} as a map of time and place. ${own}.`);
+    this.#now.draw(
+      fieldOf(run, name, within),
+      run.picture.span,
+      endOf(scene),
+      limit,
+      this.#colours,
+      `${words} as a map of time and place. ${own}.`,
+    );
     this.#pinned.root.hidden = this.#label.hidden = !beside;
     if (beside) {
       this.#label.textContent = `${beside.label}, same colours`;

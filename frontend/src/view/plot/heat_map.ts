@@ -1,7 +1,7 @@
 // A field over time and place: an image behind the axes of a plot.
 
 import type uPlot from "uplot";
-import { describe, figure } from "../dom";
+import { describe, figure } from "../../dom";
 import type { Look } from "../look";
 import { paintField } from "./diverging";
 import { Plot } from "./plot";
@@ -23,8 +23,20 @@ export class HeatMap {
   #span = 1;
   #image: ImageData | null = null;
 
-  constructor(look: Look, height: number, seek: (time: number) => void, hovered: (value: number, time: number, place: number) => void) {
-    this.#plot = new Plot(this.root, { look, height, xTitle: "time t [s]", seek, under: (plot) => this.#under(plot), hover: (at) => this.#hover(at, hovered) });
+  constructor(
+    look: Look,
+    height: number,
+    seek: (time: number) => void,
+    hovered: (value: number, time: number, place: number) => void,
+  ) {
+    this.#plot = new Plot(this.root, {
+      look,
+      height,
+      xTitle: "time t [s]",
+      seek,
+      under: (plot) => this.#under(plot),
+      hover: (at) => this.#hover(at, hovered),
+    });
   }
 
   draw(field: Field, span: number, end: number, limit: number, colours: Uint32Array, says: string): void {

@@ -1,35 +1,47 @@
 // The legend of a plot: how each line looks, what it is, and its value where the cursor stands.
 
-import { make, say } from "../dom";
+import { el, write } from "../../dom";
 import type { Line } from "./plot";
 
 const SVG = "http://www.w3.org/2000/svg";
 
 export class Legend {
-  readonly root = make("ul", { class: "legend" });
+  readonly root = el("ul", { class: "legend" });
   #values: (HTMLElement | null)[] = [];
 
   list(lines: Line[]): void {
-    this.#values = lines.map(({ unlisted, says }) => (unlisted || !says ? null : make("span", { class: "legend-value" })));
+    this.#values = lines.map(({ unlisted, says }) => (unlisted || !says ? null : el("span", { class: "legend-value" })));
     const item = (line: Line) => {
       const value = this.#values[lines.indexOf(line)];
-      return make("li", {}, swatch(line), line.label, ...(value ? [" ", value] : []));
+      return el("li", {}, swatch(line), line.label, ...(value ? [" ", value] : []));
     };
     const listed = lines.filter(({ unlisted }) => !unlisted);
     // What is drawn behind comes last.
-    this.root.replaceChildren(...listed.filter(({ alpha }) => !alpha).map(item), ...listed.filter(({ alpha }) => alpha).map(item));
+    this.root.replaceChildren(
+      ...listed.filter(({ alpha }) => !alpha).map(item),
+      ...listed.filter(({ alpha }) => alpha).map(item),
+    );
   }
 
-  say(texts: string[]): void {
-    this.#values.forEach((value, i) => value && say(value, texts[i] ?? ""));
+  write(texts: string[]): void {
+    this.#values.forEach((value, i) => value && write(value, texts[i] ?? ""));
   }
 }
 
 function swatch({ token, dash, width, alpha, marker }: Line): SVGElement {
   const svg = document.createElementNS(SVG, "svg");
-  for (const [name, value] of Object.entries({ width: "22", height: "10", viewBox: "0 0 22 10", "aria-hidden": "true" })) svg.setAttribute(name, value);
+  for (const [name, value] of Object.entries({ width: "22", height: "10", viewBox: "0 0 22 10", "aria-hidden": "true" }))
+    svg.setAttribute(name, value);
   const line = document.createElementNS(SVG, "line");
-  const look = { x1: "0", x2: "22", y1: "5", y2: "5", "stroke-width": `${width ?? 1.6}`, "stroke-dasharray": (dash ?? []).join(" "), opacity: `${alpha ?? 1}` };
+  const look = {
+    x1: "0",
+    x2: "22",
+    y1: "5",
+    y2: "5",
+    "stroke-width": `${width ?? 1.6}`,
+    "stroke-dasharray": (dash ?? []).join(" "),
+    opacity: `${alpha ?? 1}`,
+  };
   for (const [name, value] of Object.entries(look)) line.setAttribute(name, value);
   line.style.stroke = `var(--${token})`;
   svg.append(line);

@@ -49,7 +49,7 @@ type Numbers = ArrayLike<number | null | undefined>;
 function telling(times: Numbers, values: Numbers, from: number, to: number, width: number): Iterable<number> {
   const dense = (times[to]! - times[from]!) / (to - from) < width / 3;
   const points: number[] = [];
-  for (let i = from; i <= to; ) {
+  for (let i = from; i <= to;) {
     const end = times[i]! + width;
     let [lowest, highest] = [i, i];
     const first = i++;

@@ -2,7 +2,7 @@
 
 import uPlot from "uplot";
 import "uplot/dist/uPlot.min.css";
-import { make } from "../dom";
+import { el } from "../../dom";
 import { powers, ticks, wholePowers } from "../format";
 import type { Look, Marker, Token } from "../look";
 import { Legend } from "./legend";
@@ -54,8 +54,8 @@ export class Plot {
   readonly legend = new Legend();
   readonly host: HTMLElement;
   readonly #options: PlotOptions;
-  readonly #line = make("div", { class: "time-cursor", hidden: true });
-  readonly #dot = make("div", { class: "dot", hidden: true });
+  readonly #line = el("div", { class: "time-cursor", hidden: true });
+  readonly #dot = el("div", { class: "dot", hidden: true });
   readonly #resizing: ResizeObserver;
   #plot: uPlot | null = null;
   #lines: Line[] = [];
@@ -85,7 +85,7 @@ export class Plot {
     const wanted = JSON.stringify(lines.map(({ values: _, ...line }) => line));
     if (!this.#plot || wanted !== this.#made) {
       this.#made = wanted;
-      this.#plot = this.#make(data);
+      this.#plot = this.#el(data);
     }
     const plot = this.#plot;
     plot.batch(() => {
@@ -111,7 +111,8 @@ export class Plot {
   point(at: [number, number] | null): void {
     this.#point = at;
     this.#dot.hidden = !at;
-    if (at && this.#plot) this.#dot.style.transform = `translate(${this.#plot.valToPos(at[0], "x")}px, ${this.#plot.valToPos(at[1], "y")}px)`;
+    if (at && this.#plot)
+      this.#dot.style.transform = `translate(${this.#plot.valToPos(at[0], "x")}px, ${this.#plot.valToPos(at[1], "y")}px)`;
   }
 
   repaint(): void {
@@ -128,19 +129,26 @@ export class Plot {
   #read(): void {
     clearTimeout(this.#readout);
     this.#readout = 0;
-    if (this.#plot && !this.#hovered) this.#say(this.#cursor === null ? null : this.#plot.valToIdx(this.#cursor));
+    if (this.#plot && !this.#hovered) this.#write(this.#cursor === null ? null : this.#plot.valToIdx(this.#cursor));
   }
 
-  #say(index: number | null | undefined): void {
-    this.legend.say(this.#lines.map((line) => (index == null || !line.says ? "" : line.says(line.values[index] ?? NaN))));
+  #write(index: number | null | undefined): void {
+    this.legend.write(this.#lines.map((line) => (index == null || !line.says ? "" : line.says(line.values[index] ?? NaN))));
   }
 
-  #make(data: uPlot.AlignedData): uPlot {
+  #el(data: uPlot.AlignedData): uPlot {
     this.#plot?.destroy();
     this.legend.list(this.#lines);
     const { look, height, whole, seek } = this.#options;
     const grid = { stroke: () => look.colour("line"), width: 1 };
-    const axis: uPlot.Axis = { stroke: () => look.colour("faint"), font: FONT, labelFont: FONT, grid, ticks: { ...grid, size: 4 }, gap: 4 };
+    const axis: uPlot.Axis = {
+      stroke: () => look.colour("faint"),
+      font: FONT,
+      labelFont: FONT,
+      grid,
+      ticks: { ...grid, size: 4 },
+      gap: 4,
+    };
     const plot = new uPlot(
       {
         width: Math.max(80, Math.floor(this.host.clientWidth)),
@@ -165,7 +173,13 @@ export class Plot {
             ...axis,
             size: 52,
             space: 28,
-            ...(this.#options.log ? { splits: (_: uPlot, __: number, low: number, high: number) => logMarks(low, high), filter: (_: uPlot, splits: number[]) => splits, grid: { ...grid, filter: (_: uPlot, splits: number[]) => wholePowers(splits) } } : {}),
+            ...(this.#options.log
+              ? {
+                  splits: (_: uPlot, __: number, low: number, high: number) => logMarks(low, high),
+                  filter: (_: uPlot, splits: number[]) => splits,
+                  grid: { ...grid, filter: (_: uPlot, splits: number[]) => wholePowers(splits) },
+                }
+              : {}),
             values: (_, splits) => (this.#options.log ? powers(splits) : ticks(splits, this.#scales.factor ?? 1)),
           },
         ],
@@ -210,7 +224,7 @@ export class Plot {
     if (!hovered && !this.#hovered) return;
     this.#hovered = hovered;
     this.#options.hover?.(hovered ? [plot.posToVal(left, "x"), plot.posToVal(top, "y")] : null);
-    if (hovered) this.#say(index);
+    if (hovered) this.#write(index);
     else this.#read();
   }
 }

@@ -9,10 +9,38 @@ const UP = THICKNESS / 2;
 const OUT = DEPTH / 2;
 const FACES = [
   // The two edges of each long face as (up, out), such that its triangles look outwards; `turned` faces have normals that turn.
-  { edges: [[1, 1], [1, -1]], turned: 1, out: 0 },
-  { edges: [[-1, -1], [-1, 1]], turned: -1, out: 0 },
-  { edges: [[-1, 1], [1, 1]], turned: 0, out: 1 },
-  { edges: [[1, -1], [-1, -1]], turned: 0, out: -1 },
+  {
+    edges: [
+      [1, 1],
+      [1, -1],
+    ],
+    turned: 1,
+    out: 0,
+  },
+  {
+    edges: [
+      [-1, -1],
+      [-1, 1],
+    ],
+    turned: -1,
+    out: 0,
+  },
+  {
+    edges: [
+      [-1, 1],
+      [1, 1],
+    ],
+    turned: 0,
+    out: 1,
+  },
+  {
+    edges: [
+      [1, -1],
+      [-1, -1],
+    ],
+    turned: 0,
+    out: -1,
+  },
 ] as const;
 const LINE = 0.03; // half the width of the centre line
 
@@ -34,7 +62,11 @@ export class Beam {
     this.#sections.setAttribute("position", moving(4 * Math.ceil(this.#count / this.#every)));
     this.#centre.setAttribute("position", moving(vertices));
     this.#centre.setIndex(strip(this.#count, 0));
-    this.group.add(new Mesh(this.#faces, paints.body), new LineSegments(this.#sections, paints.section), new Mesh(this.#centre, paints.centre));
+    this.group.add(
+      new Mesh(this.#faces, paints.body),
+      new LineSegments(this.#sections, paints.section),
+      new Mesh(this.#centre, paints.centre),
+    );
     // The bounds of a shape that moves are not worth working out each frame: it is always in view.
     for (const part of this.group.children) part.frustumCulled = false;
   }

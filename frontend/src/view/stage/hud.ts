@@ -2,7 +2,7 @@
 
 import type { Port } from "../../protocol";
 import type { Run } from "../../run";
-import { make, say } from "../dom";
+import { el, write } from "../../dom";
 import { Measure, number } from "../format";
 import { effortOf, lookOf, symbolOf } from "../look";
 import type { Scene } from "../scene";
@@ -13,11 +13,11 @@ interface Row {
 }
 
 export class Hud {
-  readonly root = make("div", { class: "hud" });
-  readonly #trial = make("p", { class: "hud-trial" });
-  readonly #time = make("p", { class: "hud-time" });
-  readonly #note = make("p", { class: "hud-note" });
-  readonly #table = make("table", { class: "hud-ports" });
+  readonly root = el("div", { class: "hud" });
+  readonly #trial = el("p", { class: "hud-trial" });
+  readonly #time = el("p", { class: "hud-time" });
+  readonly #note = el("p", { class: "hud-note" });
+  readonly #table = el("table", { class: "hud-ports" });
   #rows: Row[] = [];
   #run: Run | null = null;
   #measured = -1; // the trial that the measures are for
@@ -25,29 +25,29 @@ export class Hud {
   #efforts: Measure[] = [];
 
   constructor() {
-    this.root.append(make("div", {}, this.#trial, this.#time, this.#note), this.#table);
+    this.root.append(el("div", {}, this.#trial, this.#time, this.#note), this.#table);
   }
 
   show({ run, trial, time }: Scene, note: string): void {
     if (this.#run !== run) this.#list(run);
     if (this.#measured !== trial) this.#measure(run, trial);
-    say(this.#trial, `Trial ${trial} of ${run.picture.trials}`);
-    say(this.#time, `t = ${time.toFixed(run.picture.duration < 0.1 ? 5 : 3)} s`);
-    say(this.#note, note);
+    write(this.#trial, `Trial ${trial} of ${run.picture.trials}`);
+    write(this.#time, `t = ${time.toFixed(run.picture.duration < 0.1 ? 5 : 3)} s`);
+    write(this.#note, note);
     const detail = run.trial(trial);
     this.#rows.forEach((row, index) => {
-      say(row.motion, detail ? this.#motions[index]!.text(detail.at("y", index, time)) : "…");
-      say(row.effort, detail ? this.#efforts[index]!.text(detail.at("delivered", index, time)) : "…");
+      write(row.motion, detail ? this.#motions[index]!.text(detail.at("y", index, time)) : "…");
+      write(row.effort, detail ? this.#efforts[index]!.text(detail.at("delivered", index, time)) : "…");
     });
   }
 
   #list(run: Run): void {
     this.#run = run;
     this.#measured = -1;
-    this.#rows = run.ports.map(() => ({ motion: make("td", {}), effort: make("td", {}) }));
+    this.#rows = run.ports.map(() => ({ motion: el("td", {}), effort: el("td", {}) }));
     this.#table.replaceChildren(
-      make("caption", { class: "unseen" }, "Motion and delivered effort at the moment"),
-      make("tbody", {}, ...run.ports.map((port, index) => this.#row(run, port, index))),
+      el("caption", { class: "unseen" }, "Motion and delivered effort at the moment"),
+      el("tbody", {}, ...run.ports.map((port, index) => this.#row(run, port, index))),
     );
   }
 
@@ -60,9 +60,16 @@ export class Hud {
 
   #row(run: Run, port: Port, index: number): HTMLElement {
     const { motion, effort } = this.#rows[index]!;
-    const key = make("span", { class: "key" });
+    const key = el("span", { class: "key" });
     key.style.background = `var(--${lookOf(run.ports, index).token})`;
-    return make("tr", {}, make("th", { scope: "row" }, key, symbolOf(port)), motion, make("th", { scope: "row" }, effortOf(port)), effort);
+    return el(
+      "tr",
+      {},
+      el("th", { scope: "row" }, key, symbolOf(port)),
+      motion,
+      el("th", { scope: "row" }, effortOf(port)),
+      effort,
+    );
   }
 }
 

@@ -59,7 +59,10 @@ export class Model {
         index,
         x,
         carrier: ports.findIndex((other) => other.motion_unit === "m" && other.x === port.x),
-        arrow: port.kind === "force" ? new ForceArrow(gap, turns ? paints.rotation : paints.displacement) : new TorqueArrow(paints.rotation),
+        arrow:
+          port.kind === "force"
+            ? new ForceArrow(gap, turns ? paints.rotation : paints.displacement)
+            : new TorqueArrow(paints.rotation),
         walls: turns || !limited(run, index) ? null : new Walls(x, gap, paints),
         wedge: turns && limited(run, index) ? new Wedge(paints) : null,
         dot: this.shape.bends ? null : new Mesh(new SphereGeometry(0.2, 24, 16), turns ? paints.rotation : paints.displacement),

@@ -1,6 +1,15 @@
 // Blocks and discs with their edges drawn, so that they read well in flat light.
 
-import { BoxGeometry, BufferGeometry, CylinderGeometry, EdgesGeometry, Float32BufferAttribute, Group, LineSegments, Mesh } from "three";
+import {
+  BoxGeometry,
+  BufferGeometry,
+  CylinderGeometry,
+  EdgesGeometry,
+  Float32BufferAttribute,
+  Group,
+  LineSegments,
+  Mesh,
+} from "three";
 import { DEPTH } from "./size";
 import type { Paints } from "./paints";
 

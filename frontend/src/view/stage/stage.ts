@@ -1,7 +1,7 @@
 // The structure in motion. Draws only when something has changed and the stage is in view.
 
 import { DirectionalLight, HemisphereLight, Scene as World, WebGLRenderer } from "three";
-import { describe, make } from "../dom";
+import { describe, el } from "../../dom";
 import { Measure } from "../format";
 import type { Look } from "../look";
 import type { Scene } from "../scene";
@@ -17,7 +17,7 @@ export class Stage {
   readonly #look: Look;
   readonly #hud = new Hud();
   readonly #tools: StageTools;
-  readonly #place = make("div", { class: "stage-view" });
+  readonly #place = el("div", { class: "stage-view" });
   readonly #paints = new Paints();
   readonly #world = new World();
   readonly #renderer: WebGLRenderer | null;
@@ -50,7 +50,13 @@ export class Stage {
         if (this.#seen) this.#ask();
       }).observe(this.#place);
     } else {
-      this.#place.append(make("p", { class: "stage-without" }, "This browser offers no WebGL, so the moving structure cannot be drawn; everything else works."));
+      this.#place.append(
+        el(
+          "p",
+          { class: "stage-without" },
+          "This browser offers no WebGL, so the moving structure cannot be drawn; everything else works.",
+        ),
+      );
     }
   }
 
@@ -94,7 +100,12 @@ export class Stage {
     this.#prepare(scene);
     if (detail) this.#model?.take(scene.run, detail, scene.time, this.#factor);
     const pinned = scene.pinned?.run ?? null;
-    this.#model?.haunt(pinned, pinned?.trial(scene.trial) ?? null, Math.min(scene.time, pinned?.picture.duration ?? 0), this.#factor);
+    this.#model?.haunt(
+      pinned,
+      pinned?.trial(scene.trial) ?? null,
+      Math.min(scene.time, pinned?.picture.duration ?? 0),
+      this.#factor,
+    );
     renderer.render(this.#world, camera);
     this.#describe(scene, renderer.domElement);
   }
