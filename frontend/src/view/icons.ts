@@ -15,7 +15,7 @@ const OPEN = new Set(["previous", "next"]); // lines, not areas
 
 export function icon(sign: "play" | "back" | "on" | "previous" | "next", name: string, onclick: () => void): HTMLButtonElement {
   const signs = sign === "play" ? [drawn("play"), drawn("pause")] : [drawn(sign)];
-  return el("button", { type: "button", class: "icon", title: name, onclick, "aria-label": name }, ...signs);
+  return el("button", { type: "button", class: `icon ${sign}`, title: name, onclick, "aria-label": name }, ...signs);
 }
 
 function drawn(sign: keyof typeof SIGNS): SVGElement {

@@ -39,7 +39,6 @@ export class Transport {
 
   constructor(root: HTMLElement, events: TransportEvents) {
     this.#play = icon("play", "Play (space)", () => events.play(this.#play.dataset["playing"] !== "true"));
-    this.#play.classList.add("play");
     this.#scrub.oninput = () => events.seek(Number(this.#scrub.value));
     this.#speed.onchange = () => events.speed(Number(this.#speed.value));
     this.#trial.oninput = () => events.jump(Number(this.#trial.value));
@@ -59,6 +58,7 @@ export class Transport {
         icon("on", "A snapshot on (.)", () => events.step(1)),
         this.#scrub,
         this.#time,
+        el("label", { class: "speed" }, el("span", { class: "word" }, "Speed "), this.#speed),
       ),
       el(
         "div",
@@ -66,7 +66,7 @@ export class Transport {
         el(
           "div",
           { class: "trials" },
-          el("span", {}, "Trial"),
+          el("span", { class: "word" }, "Trial"),
           icon("previous", "Trial before ([)", by(-1)),
           this.#trial,
           icon("next", "Next trial (])", by(1)),
@@ -80,7 +80,6 @@ export class Transport {
           el("label", {}, this.#spans.trial, el("span", {}, "this trial")),
           el("label", {}, this.#spans.run, el("span", {}, "whole run")),
         ),
-        el("label", { class: "speed" }, el("span", {}, "Speed "), this.#speed),
       ),
     );
   }

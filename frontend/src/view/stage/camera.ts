@@ -6,7 +6,7 @@ import { LENGTH } from "./size";
 
 const TARGET = new Vector3(0.51 * LENGTH, 0, 0);
 const FROM = new Vector3(0.2, 0.24, 1).normalize();
-const [WIDTH, HEIGHT] = [1.34 * LENGTH, 0.66 * LENGTH]; // what must be in view
+const [WIDTH, HEIGHT] = [1.34 * LENGTH, 0.74 * LENGTH]; // what must be in view
 
 export class Viewer {
   readonly camera = new PerspectiveCamera(24, 2, 1, 200);
