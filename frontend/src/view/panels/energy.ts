@@ -1,36 +1,24 @@
 // Energy of the structure and of the barrier against time, and the account of the whole run.
 
-import { describe, figure } from "../../dom";
 import { Measure } from "../format";
-import { tickTrials } from "../plot/paint";
-import { BEHIND, type Line, Plot } from "../plot/plot";
+import { BEHIND, type Line } from "../plot/plot";
 import { extent } from "../plot/range";
-import { cursorOf, endOf, pinnedCurve, type Scene, trialOf } from "../scene";
-import { Card } from "./card";
+import { pinnedCurve, type Scene, trialOf } from "../scene";
 import { EnergyAccount } from "./energy_account";
-import type { Hands, Panel } from "./panel";
+import type { Hands } from "./panel";
+import { type TimeCourse, TimePanel, within } from "./time_panel";
 
-export class Energy implements Panel {
-  readonly card: Card;
-  readonly #plot: Plot;
-  readonly #figure = figure();
-  readonly #account = new EnergyAccount();
-  #borders = 0;
-  #duration = 1;
+const ROOM = 0.04; // below zero, as a share of the height
 
-  constructor(hands: Hands) {
-    this.#plot = new Plot(this.#figure, {
-      look: hands.look,
-      height: 160,
-      xTitle: "time t [s]",
-      seek: hands.seek,
-      under: (plot) => tickTrials(plot, hands.look, this.#borders, this.#duration),
-    });
-    this.card = new Card(this.#plot.legend.root);
-    this.card.body.append(this.#figure, this.#account.root);
+export class Energy extends TimePanel {
+  readonly #account: EnergyAccount;
+
+  constructor(hands: Hands, account = new EnergyAccount()) {
+    super(hands, 160, account.root);
+    this.#account = account;
   }
 
-  draw(scene: Scene): void {
+  protected course(scene: Scene): TimeCourse {
     const { run } = scene;
     const trial = trialOf(scene);
     const curve = run.curve("energy", 0, trial);
@@ -38,8 +26,7 @@ export class Energy implements Panel {
     const largest = run.largest("energy", 0, trial);
     const measure = new Measure(largest || 1, "J");
     const says = (value: number) => measure.text(value);
-    this.#borders = trial === null ? run.picture.trials : 0;
-    this.#duration = run.picture.duration;
+    this.#account.fill(run.picture.energy, scene.pinned);
 
     const lines: Line[] = [];
     if (behind) lines.push({ label: scene.pinned!.label, token: "ink", values: behind, ...BEHIND, says });
@@ -47,24 +34,13 @@ export class Energy implements Panel {
     const detail = trial === null ? null : run.trial(trial);
     if (detail) lines.push({ label: "barrier", token: "constraint", values: detail.column("barrier", 0), dash: [6, 4], says });
     const [, high] = extent(lines.map(({ values }) => values));
-    this.#plot.draw(curve.time, lines, { x: [0, endOf(scene)], y: [-0.04 * high, high], factor: measure.factor });
-    this.#account.fill(run.picture.energy, scene.pinned);
-
-    this.card.title("Energy", `[${measure.unit}]`);
-    const caption = `Largest ${measure.text(largest)} ${trial === null ? "in all trials" : `in trial ${trial}`}.`;
-    this.card.caption(caption);
-    describe(this.#figure, `Energy of the structure against time. ${caption}`);
-  }
-
-  cursor(scene: Scene): void {
-    this.#plot.cursor(cursorOf(scene));
-  }
-
-  repaint(): void {
-    this.#plot.repaint();
-  }
-
-  destroy(): void {
-    this.#plot.destroy();
+    return {
+      time: curve.time,
+      lines,
+      measure,
+      y: [-ROOM * high, high],
+      heading: ["Energy", `[${measure.unit}]`],
+      caption: `Largest ${measure.text(largest)} ${within(trial)}.`,
+    };
   }
 }
