@@ -183,6 +183,10 @@ class Controller(Component):
         """
         return {}
 
+    def design_time(self, trials: int, steps: int, ports: int) -> float:
+        """About how long the law itself computes in a run [s], for who must refuse what takes too long; 0: hardly anything."""
+        return 0.0
+
     def notes(self, setting: Setting) -> list[str]:
         """What the user should know before the run, one line each."""
         return []

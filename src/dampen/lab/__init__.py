@@ -2,7 +2,7 @@
 
     server    what the browser reaches: the page, its uploads and downloads, one WebSocket; nothing is computed there
     workers   processes that compute, one answer at a time, and are left behind when something newer is asked for
-    bench     in a worker: tables in, pictures out, through the same functions as the command line's
+    desk      in a worker: tables in, pictures out, through the same functions as the command line's
 
 The page itself is written in TypeScript, in `frontend`; what is built of it lies in `page`.
 """

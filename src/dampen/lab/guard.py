@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import ipaddress
+from pathlib import Path
 from urllib.parse import urlsplit
 
 from starlette.datastructures import Headers, MutableHeaders
@@ -53,8 +54,7 @@ class Guard:
         if len(hosts) != 1 or not self.is_own(hostname(f"//{hosts[0]}")):
             return "The lab answers under its own address only."
         changes = scope["type"] == "websocket" or scope["method"] not in ("GET", "HEAD")
-        origin = headers.get("origin")
-        if changes and (origin is None or urlsplit(origin).netloc != hosts[0]):
+        if changes and headers.get("origin") not in (f"http://{hosts[0]}", f"https://{hosts[0]}"):
             return "The lab listens to its own page only."
         if changes and scope["type"] == "http" and OWN_HEADER not in headers:
             return "The lab listens to its own page only."
@@ -95,16 +95,15 @@ def armoured(send: Send) -> Send:
     return with_headers
 
 
-async def body_of(request: Request, most: int) -> bytes:
-    """The body of a request. Raises ArgumentError as soon as it is larger than `most` bytes."""
-    parts: list[bytes] = []
+async def take_in(request: Request, path: Path, most: int) -> None:
+    """Write the body of a request to a file as it comes. Raises ArgumentError as soon as it is larger than `most` bytes."""
     size = 0
-    async for part in request.stream():
-        size += len(part)
-        if size > most:
-            raise ArgumentError(f"The request must be at most {shown(most)}.")
-        parts.append(part)
-    return b"".join(parts)
+    with path.open("wb") as file:
+        async for part in request.stream():
+            size += len(part)
+            if size > most:
+                raise ArgumentError(f"The request must be at most {shown(most)}.")
+            file.write(part)
 
 
 def shown(size: int) -> str:

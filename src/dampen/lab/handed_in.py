@@ -1,65 +1,79 @@
-"""What a browser hands in: scenario files, results, attachments; read as data only."""
+"""What a browser hands in: scenario files, results, attachments, and archives of them; read as data only."""
 
 from __future__ import annotations
 
 import hashlib
+import io
 import re
 import zipfile
+from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
 
+import numpy as np
+
 from dampen.component import ArgumentError
-from dampen.lab.limits import ATTACHMENT, UNPACKED, check_cost
+from dampen.lab.foreign import arrays, attributes, is_netcdf, plain_copy
+from dampen.lab.limits import ATTACHMENT, UNPACKED
+from dampen.lab.opening import renamed
 from dampen.lab.tables import Trust, scenario_of
 from dampen.scenarios.read import parse
-from dampen.simulation.result import Result
-from dampen.simulation.stores import open_result
+from dampen.simulation.bench import output_points
+from dampen.simulation.result import Layout, Result
+from dampen.simulation.setting import setting_of
 
 ATTACHABLE = (".csv", ".txt", ".nc", ".npz", ".npy", ".mtx")
-HDF5, CLASSIC = b"\x89HDF", b"CDF"
+ARCHIVE = b"PK\x03\x04"
+FINISHED = ("complete", "constraint_lost", "interrupted", "diverged")
 
 
-def is_result(content: bytes) -> bool:
-    """Whether these bytes begin like a NetCDF file."""
-    return content.startswith((HDF5, CLASSIC))
+def contents(content: bytes, trust: Trust) -> tuple[bytes, dict[str, str]]:
+    """The scenario or result in what was handed in, and what its attachments, kept by then, are called here.
+
+    An archive, as the lab gives them out, holds one scenario or result and the files that it names.
+    """
+    if not content.startswith(ARCHIVE):
+        return content, {}
+    if unpacked(content) > UNPACKED:
+        raise ArgumentError(f"An archive must unfold to at most {UNPACKED // 2**20} MiB.")
+    with zipfile.ZipFile(io.BytesIO(content)) as archive:
+        held = {Path(name).name: archive.read(name) for name in archive.namelist() if not name.endswith("/")}
+    main = [name for name in held if name.endswith(".toml") or name == "result.nc"]
+    if len(main) != 1:
+        raise ArgumentError("An archive must hold one scenario (.toml) or result (result.nc), and the files that it names.")
+    whole = held.pop(main[0])
+    return whole, {name: attach(inner, name, trust) for name, inner in held.items()}
 
 
-def table_in(content: bytes, name: str, trust: Trust) -> dict[str, Any]:
+def table_in(content: bytes, name: str, trust: Trust, kept: Mapping[str, str]) -> dict[str, Any]:
     """The table of a scenario file, checked by building the scenario. Raises ArgumentError."""
     try:
         text = content.decode("utf-8")
     except UnicodeDecodeError:
         raise ArgumentError(f"Scenario file `{name}` cannot be read: not UTF-8 text.") from None
-    table = parse(text, name)
+    table = renamed(parse(text, name), kept)
     if "based_on" in table:
         raise ArgumentError("Argument `based_on` must be left out here: a browser hands in whole scenarios.")
     scenario_of(table, trust)
-    return table
+    return dict(table)
 
 
-def result_in(path: Path, trust: Trust) -> tuple[Result, dict[str, Any]]:
-    """A stored result and its scenario's table, nothing else of the file being believed. Raises ArgumentError."""
-    import netCDF4
-
-    try:
-        with netCDF4.Dataset(path) as file:
-            text = str(file.getncattr("scenario"))
-    except (OSError, AttributeError, RuntimeError):
-        raise ArgumentError("Result file is not a dampen result.") from None
-    table = parse(text, "in the result")
+def result_in(content: bytes, trust: Trust, kept: Mapping[str, str]) -> tuple[Result, dict[str, Any]]:
+    """A stored result, in memory, and its scenario's table; nothing of the file is believed. Raises ArgumentError."""
+    about = attributes(content)
+    text, status, trials = str(about.get("scenario", "")), about.get("status"), about.get("trials_finished")
+    if not text or status not in FINISHED or not isinstance(trials, int | np.integer):
+        raise ArgumentError("Result file is not a dampen result.")
+    table = renamed(parse(text, "in the result"), kept)
     scenario = scenario_of(table, trust)
-    check_cost(scenario)
-    try:
-        result = open_result(path, scenario)
-        for name, variable in result.layout.variables.items():
-            found, expected = tuple(result[name].shape[1:]), result.layout.shape(variable)
-            if found != expected or len(result[name]) < result.trials:
-                raise ArgumentError(f"Result file must have `{name}` of shape {expected} in each trial, but has {found}.")
-    except (OSError, AttributeError, KeyError, IndexError, RuntimeError, ValueError) as error:
-        if isinstance(error, ArgumentError):
-            raise
-        raise ArgumentError(f"Result file does not fit its own scenario: {error}.") from None
-    return result, table
+    if not 0 <= trials <= scenario.task.trials:
+        raise ArgumentError(f"Result file must have at most the {scenario.task.trials} trials of its scenario, but has {trials}.")
+    layout = Layout.of(scenario, output_points(scenario), setting_of(scenario))
+    wanted = {name: (variable.kind, layout.shape(variable)) for name, variable in layout.variables.items()}
+    values = arrays(content, wanted, int(trials))
+    warnings = str(about.get("warnings", "")).splitlines()
+    result = Result(scenario, str(about.get("dampen_version", "")), str(status), int(trials), layout, values, warnings)
+    return result, dict(table)
 
 
 def attach(content: bytes, name: str, trust: Trust) -> str:
@@ -69,19 +83,35 @@ def attach(content: bytes, name: str, trust: Trust) -> str:
     suffix = Path(name).suffix.lower()
     if suffix not in ATTACHABLE:
         raise ArgumentError(f"Attachment `{name}` must be one of {', '.join(ATTACHABLE)}, but is {suffix or 'without suffix'!r}.")
-    stem = re.sub(r"[^A-Za-z0-9_-]+", "-", Path(name).stem).strip("-")[:40] or "file"
-    path = trust.attachments / f"{stem}-{hashlib.sha256(content).hexdigest()[:8]}{suffix}"
-    path.write_bytes(content)
-    if suffix == ".npz" and unpacked(path) > UNPACKED:
-        path.unlink()
+    print_ = hashlib.sha256(content).hexdigest()[:8]
+    stem = re.sub(r"[^A-Za-z0-9_-]+", "-", Path(name).stem).strip("-")[:40].removesuffix(f"-{print_}") or "file"
+    path = trust.attachments / f"{stem}-{print_}{suffix}"
+    if is_netcdf(content):
+        plain_copy(content, path, UNPACKED)
+    elif unpacked(content) > UNPACKED:
         raise ArgumentError(f"Attachment `{name}` must unfold to at most {UNPACKED // 2**20} MiB.")
+    else:
+        path.write_bytes(content)
     return path.name
 
 
-def unpacked(path: Path) -> int:
-    """The size of what an archive holds; 0 for what is none."""
+def unpacked(content: bytes) -> int:
+    """The size of what bytes unfold to: an archive's members, a sparse matrix written out; 0 for what does not unfold."""
+    if content.startswith(b"%%MatrixMarket"):
+        from scipy.io import mminfo
+
+        try:
+            rows, columns, *_ = mminfo(io.BytesIO(content))
+        except ValueError:
+            return 0
+        return 8 * int(rows) * int(columns)
     try:
-        with zipfile.ZipFile(path) as archive:
-            return sum(member.file_size for member in archive.infolist())
-    except zipfile.BadZipFile:
+        with zipfile.ZipFile(io.BytesIO(content)) as archive:
+            size = sum(member.file_size for member in archive.infolist())
+            sparse = "shape.npy" in archive.namelist() and "format.npy" in archive.namelist()
+        if not sparse or size > UNPACKED:
+            return size
+        with np.load(io.BytesIO(content), allow_pickle=False) as held:
+            return max(size, 8 * int(np.prod(np.asarray(held["shape"], float))))
+    except (zipfile.BadZipFile, ValueError, OSError, EOFError, KeyError, NotImplementedError):
         return 0

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import asyncio
 import secrets
 from dataclasses import dataclass
 from pathlib import Path
@@ -16,6 +17,7 @@ if TYPE_CHECKING:
     from dampen.scenarios.read import Table
 
 WISHES = ("run", "open")
+UPLOADS = 2  # at a time: each may be large
 
 
 @dataclass
@@ -38,6 +40,7 @@ class Lab:
         self.workers = Workers(self.trust)
         self.workers.open()
         self.uploads: dict[str, Upload] = {}
+        self.uploading = asyncio.Semaphore(UPLOADS)
         self.name, self.token = "", ""
         self.table: Table = {}
         self.own: list[str] = []

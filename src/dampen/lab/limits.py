@@ -13,16 +13,17 @@ MESSAGE = 256 * 2**10  # bytes of a request: scenarios are a few thousand
 ATTACHMENT = 16 * 2**20
 UPLOAD = 256 * 2**20
 STORED = 512 * 2**20  # bytes of all uploads together
-UNPACKED = 64 * 2**20  # what an attachment may unfold to
+UNPACKED = 32 * 2**20  # what an attachment may unfold to: matrices of 2,000 degrees of freedom
 DEEPEST = 16
 
 SECONDS = 10.0  # a run that would take longer belongs to `dampen run`
 MEMORY = 512 * 2**20
 PATIENCE = 30.0  # seconds after which a worker that has not answered is ended
 
-# Seconds, as measured on one core: a step with its signals, and each mode in it; a step of a load along the structure, which is
-# projected by a rule that is as fine as the modes or the grid; finding the modes.
-STEP, MODE = 6e-7, 2.5e-9
+# Seconds, as measured on one core: a trial, a step with its signals, and each mode in it; a step of a load along the structure,
+# which is projected by a rule that is as fine as the modes or the grid, and of a load at a moving point; finding the modes.
+TRIAL, STEP, MODE = 4e-4, 6e-7, 2.5e-9
+POINT = 4e-8
 LOAD, LOAD_MODES, LOAD_GRID = 4e-6, 2e-10, 1e-6
 SPECTRAL, GRID = 1.4e-8, 4e-10
 
@@ -35,11 +36,13 @@ def predicted_seconds(scenario: Scenario) -> float:
     numerics, trials, modes = scenario.numerics, scenario.task.trials, scenario.numerics.modes
     on_grid = numerics.discretisation == "finite-difference"
     found = GRID * (2 * numerics.points) ** 3 if on_grid else SPECTRAL * modes**3
-    load = 0.0
-    if any(part.load_field is not None for part in scenario.disturbance.parts):
-        shaken = len({scenario.disturbance.same_as(j) for j in range(trials)})
-        load = shaken * scenario.steps * (LOAD + (LOAD_GRID * numerics.points if on_grid else LOAD_MODES * modes**2))
-    return trials * scenario.steps * (STEP + MODE * modes) + load + found
+    along = LOAD + (LOAD_GRID * numerics.points if on_grid else LOAD_MODES * modes**2)
+    loads = [part.load_field is not None for part in scenario.disturbance.parts]
+    points = [part.point_field is not None for part in scenario.disturbance.parts]
+    shaken = len({scenario.disturbance.same_as(j) for j in range(trials)}) if any(loads) or any(points) else 0
+    load = shaken * scenario.steps * (sum(loads) * along + sum(points) * POINT * modes)
+    design = scenario.controller.design_time(trials, scenario.law_grid[0], len(scenario.ports))
+    return trials * (TRIAL + scenario.steps * (STEP + MODE * modes)) + load + found + design
 
 
 def predicted_bytes(scenario: Scenario) -> float:

@@ -22,7 +22,7 @@ from dampen.simulation.setting import setting_of
 Array = np.ndarray
 BUCKETS = 800  # of a run: about what a plot has pixels
 COLUMNS = 400
-POINTS = 64
+POINTS = 101
 NEAR = 1e-4  # of the span: where a structure's slope at its base is read
 
 
@@ -118,11 +118,12 @@ def overview(result: Result) -> dict[str, Array]:
     if scenario.task.reference:
         found["all.reference"] = bucketed(whole(result, "reference"), length)
     found["peaks"] = np.stack([error_peaks(result, port) for port in scenario.ports], axis=1)
-    found["x"] = result.x[:: thinning(len(result.x), POINTS)]
+    points = selected(len(result.x))
+    found["x"] = result.x[points]
     found["time_out"] = result.time_out
     columns = max(1, -(-COLUMNS // len(trials)))
     for name, _ in scenario.plant.fields:
-        values = whole(result, name)[:, :, :: thinning(len(result.x), POINTS)]
+        values = whole(result, name)[:, :, points]
         found[f"all.{name}"] = largest_in(values, -(-values.shape[1] // columns))
     return found
 
@@ -134,8 +135,8 @@ def detail(result: Result, trial: int) -> dict[str, Array]:
     found |= {"barrier": np.asarray(result["barrier_energy"][trial]), "low": low, "high": high}
     if result.scenario.task.reference:
         found["reference"] = np.asarray(result["reference"][trial])
-    every = thinning(len(result.x), POINTS)
-    return found | {name: np.asarray(result[name][trial])[:, ::every] for name, _ in result.scenario.plant.fields}
+    points = selected(len(result.x))
+    return found | {name: np.asarray(result[name][trial])[:, points] for name, _ in result.scenario.plant.fields}
 
 
 def whole(result: Result, name: str) -> Array:
@@ -154,9 +155,9 @@ def limits(result: Result, length: int) -> dict[str, Array]:
     return found
 
 
-def thinning(count: int, most: int) -> int:
-    """The stride that leaves at most about `most` of `count` and keeps both ends."""
-    return next(n for n in range(1, count + 1) if (count - 1) % n == 0 and (count - 1) // n < most)
+def selected(count: int) -> Array:
+    """Which of `count` points along the structure are shown: at most POINTS, as even as can be, both ends among them."""
+    return np.unique(np.round(np.linspace(0, count - 1, min(count, POINTS))).astype(int))
 
 
 def in_buckets(values: Array, length: int) -> Array:

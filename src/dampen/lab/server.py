@@ -6,6 +6,8 @@ import asyncio
 import json
 import secrets
 import shutil
+import tempfile
+import zipfile
 from contextlib import suppress
 from pathlib import Path
 from typing import Any
@@ -21,9 +23,9 @@ from starlette.staticfiles import StaticFiles
 from starlette.websockets import WebSocket, WebSocketDisconnect
 
 from dampen.component import ArgumentError
-from dampen.lab.guard import Guard, body_of, shown
+from dampen.lab.guard import Guard, shown, take_in
 from dampen.lab.lab import Lab, is_count
-from dampen.lab.limits import MESSAGE, STORED, UPLOAD
+from dampen.lab.limits import ATTACHMENT, MESSAGE, STORED, UPLOAD
 from dampen.lab.opening import shipped_table
 from dampen.lab.tables import faults
 from dampen.lab.workers import Customer, Said
@@ -69,12 +71,13 @@ async def scenario(request: Request) -> Response:
 
 
 async def read(request: Request) -> Response:
-    """POST /read: a scenario file or a result, handed in."""
+    """POST /read: a scenario file, a result, or an archive of one with its attachments."""
     lab, name = page_of(request), file_name(request)
     path = lab.folder / f"upload-{secrets.token_hex(8)}"
     try:
-        path.write_bytes(await body_of(request, UPLOAD))
-        outcome = await lab.workers.errand({"do": "read", "path": str(path), "name": name})
+        async with lab.uploading:
+            await take_in(request, path, UPLOAD)
+            outcome = await lab.workers.errand({"do": "read", "path": str(path), "name": name})
         if "table" not in outcome:
             return JSONResponse({"faults": complaints(outcome)}, 400)
         opened = {"name": outcome["table"].get("name", name), "table": outcome["table"]}
@@ -91,10 +94,11 @@ async def attach(request: Request) -> Response:
     lab = page_of(request)
     path = lab.folder / f"upload-{secrets.token_hex(8)}"
     try:
-        path.write_bytes(await body_of(request, UPLOAD))
-        if sum(file.stat().st_size for file in lab.attachments.iterdir()) > STORED:
-            raise ArgumentError(f"The lab keeps at most {shown(STORED)} of attachments: start it again.")
-        outcome = await lab.workers.errand({"do": "attach", "path": str(path), "name": file_name(request)})
+        async with lab.uploading:
+            await take_in(request, path, ATTACHMENT)
+            if sum(file.stat().st_size for file in lab.attachments.iterdir()) > STORED:
+                raise ArgumentError(f"The lab keeps at most {shown(STORED)} of attachments: start it again.")
+            outcome = await lab.workers.errand({"do": "attach", "path": str(path), "name": file_name(request)})
         kept = "attachment" in outcome
         return JSONResponse(outcome if kept else {"faults": complaints(outcome)}, 200 if kept else 400)
     except ArgumentError as error:
@@ -106,18 +110,25 @@ async def attach(request: Request) -> Response:
 async def take(request: Request) -> Response:
     """POST /download/WHAT: a scenario, its result, its figures or its report, as a file."""
     lab, what = page_of(request), request.path_params["what"]
+    folder = Path(tempfile.mkdtemp(dir=lab.folder))
+    gone = BackgroundTask(shutil.rmtree, folder, ignore_errors=True)
     try:
-        asked = decoded((await body_of(request, MESSAGE)).decode("utf-8", "replace"))
+        await take_in(request, folder / "asked", MESSAGE)
+        asked = decoded((folder / "asked").read_bytes().decode("utf-8", "replace"))
         if what not in TAKEN or not isinstance(asked, dict):
             raise ArgumentError(f"A download must be one of {', '.join(TAKEN)}, of a table.")
-        outcome = await lab.workers.errand({"do": "take", "what": what, "table": asked.get("table")})
+        stored = lab.uploads.get(asked["token"]) if what == "netcdf" and isinstance(asked.get("token"), str) else None
+        if stored is not None:
+            name = "result.zip" if zipfile.is_zipfile(stored.path) else "result.nc"
+            return FileResponse(stored.path, media_type="application/octet-stream", filename=name, background=gone)
+        outcome = await lab.workers.errand({"do": "take", "what": what, "table": asked.get("table"), "folder": str(folder)})
     except ArgumentError as error:
+        await gone()
         return refused(error)
     if "path" not in outcome:
+        await gone()
         return JSONResponse({"faults": complaints(outcome)}, 400)
-    path = Path(outcome["path"])
-    gone = BackgroundTask(shutil.rmtree, path.parent, ignore_errors=True)
-    return FileResponse(path, media_type="application/octet-stream", filename=outcome["name"], background=gone)
+    return FileResponse(outcome["path"], media_type="application/octet-stream", filename=outcome["name"], background=gone)
 
 
 async def talk(socket: WebSocket) -> None:
@@ -132,6 +143,9 @@ async def talk(socket: WebSocket) -> None:
                 await (socket.send_bytes(said) if isinstance(said, bytes) else socket.send_text(said))
         except (TimeoutError, RuntimeError, WebSocketDisconnect, OSError):
             worker.forget(customer)
+            with suppress(TimeoutError, RuntimeError, OSError):
+                async with asyncio.timeout(1):
+                    await socket.close(1013)
 
     customer = Customer(deliver)
     worker = lab.workers.join(customer)
@@ -139,7 +153,7 @@ async def talk(socket: WebSocket) -> None:
     try:
         while True:
             message = await socket.receive()
-            if message["type"] == "websocket.disconnect":
+            if message["type"] == "websocket.disconnect" or customer not in worker.customers:
                 return
             try:
                 asked = decoded(message.get("text") or "")

@@ -8,7 +8,7 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
-from dampen.component import ArgumentError, Component
+from dampen.component import ArgumentError, Component, InFile, split_hint
 from dampen.lab.limits import DEEPEST, check_cost
 from dampen.own import own_function
 from dampen.scenarios.kinds import find_kind
@@ -42,9 +42,6 @@ def scenario_of(table: object, trust: Trust) -> Scenario:
     if not isinstance(table, dict):
         raise ArgumentError("A scenario must be a table.")
     check_shape(table)
-    for where, text in texts(table):
-        if ":" in text and text not in trust.own and where not in FREE_TEXT:
-            raise ArgumentError(f"Argument `{where}` must not name code of your own: the lab takes it from its own start only.")
     scenario = GuardedBuilder(trust).scenario(table)
     check_cost(scenario)
     return scenario
@@ -58,7 +55,7 @@ class GuardedBuilder(Builder):
         self.trust = trust
 
     def kind(self, table: str, kind: object, where: str) -> type[Component]:
-        own = isinstance(kind, str) and kind in self.trust.own
+        own = self.checked(kind, f"{where}.kind")
         return find_kind(table, kind, where, self.trust.beside if own else self.folder)
 
     def file(self, name: str, where: str) -> str:
@@ -68,9 +65,23 @@ class GuardedBuilder(Builder):
         return str(path)
 
     def function(self, name: str, where: str) -> Callable[..., Any]:
-        if name not in self.trust.own:
-            raise ArgumentError(f"Argument `{where}` must not name code of your own: the lab takes it from its own start only.")
+        self.checked(name, where)
         return own_function(name, where, self.trust.beside)
+
+    def value(self, hint: Any, value: Any, where: str) -> Any:
+        """What is no plain text could be taken for the name of a class or a function further on."""
+        base, extras = split_hint(hint)
+        if isinstance(value, str) and (base is not str or any(isinstance(extra, InFile) for extra in extras)):
+            self.checked(value, where)
+        return super().value(hint, value, where)
+
+    def checked(self, text: object, where: str) -> bool:
+        """Whether it names code that the lab's start has named; raises ArgumentError where it names any other."""
+        if not isinstance(text, str) or ":" not in text:
+            return False
+        if text not in self.trust.own:
+            raise ArgumentError(f"Argument `{where}` must not name code of your own: the lab takes it from its own start only.")
+        return True
 
 
 def check_shape(value: object, depth: int = 0) -> None:

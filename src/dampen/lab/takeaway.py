@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import tempfile
 import zipfile
 from collections.abc import Callable, Iterable
 from pathlib import Path
@@ -15,9 +14,8 @@ from dampen.simulation.trials import simulate
 from dampen.toml import to_toml
 
 
-def take(what: str, scenario: Scenario, trust: Trust) -> tuple[Path, str]:
-    """Make one of TAKEAWAYS: the file, in a new folder of its own, and the name to save it under."""
-    folder = Path(tempfile.mkdtemp(dir=trust.attachments.parent))
+def take(what: str, scenario: Scenario, trust: Trust, folder: Path) -> tuple[Path, str]:
+    """Make one of TAKEAWAYS in an empty folder: the file, and the name to save it under."""
     return TAKEAWAYS[what](scenario, trust, folder)
 
 
@@ -26,14 +24,11 @@ def toml(scenario: Scenario, trust: Trust, folder: Path) -> tuple[Path, str]:
     text = portable(to_toml(scenario), trust)
     path = folder / "scenario.toml"
     path.write_text(text, encoding="utf-8")
-    beside = [file for file in trust.attachments.iterdir() if file.name in text]
-    if not beside:
-        return path, f"{scenario.name}.toml"
-    return packed(folder / "scenario.zip", [path, *beside]), f"{scenario.name}.zip"
+    return with_files(path, text, trust, f"{scenario.name}.toml")
 
 
 def netcdf(scenario: Scenario, trust: Trust, folder: Path) -> tuple[Path, str]:
-    """The result, as `dampen run` writes it."""
+    """The result, as `dampen run` writes it; with the attachments that its scenario names, in an archive."""
     import netCDF4
 
     path = folder / "result.nc"
@@ -41,8 +36,9 @@ def netcdf(scenario: Scenario, trust: Trust, folder: Path) -> tuple[Path, str]:
     assert isinstance(written, FileArrays)
     written.file.close()
     with netCDF4.Dataset(path, "a") as file:
-        file.setncattr("scenario", portable(file.getncattr("scenario"), trust))
-    return path, f"{scenario.name}.nc"
+        text = portable(file.getncattr("scenario"), trust)
+        file.setncattr("scenario", text)
+    return with_files(path, text, trust, f"{scenario.name}.nc")
 
 
 def figures(scenario: Scenario, trust: Trust, folder: Path) -> tuple[Path, str]:
@@ -72,6 +68,14 @@ TAKEAWAYS: dict[str, Callable[[Scenario, Trust, Path], tuple[Path, str]]] = {
 def portable(text: str, trust: Trust) -> str:
     """A scenario's text with its attachments named as if they lay beside it."""
     return text.replace(f"{trust.attachments.resolve()}/", "").replace(f"{trust.attachments}/", "")
+
+
+def with_files(path: Path, text: str, trust: Trust, name: str) -> tuple[Path, str]:
+    """A file under its own name, or, where the scenario's text names attachments, an archive of it and of them."""
+    beside = [file for file in trust.attachments.iterdir() if file.name in text]
+    if not beside:
+        return path, name
+    return packed(path.with_suffix(".zip"), [path, *beside]), f"{Path(name).stem}.zip"
 
 
 def packed(archive: Path, files: Iterable[Path]) -> Path:

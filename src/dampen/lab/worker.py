@@ -20,10 +20,12 @@ from typing import Any, BinaryIO
 
 from dampen.component import ArgumentError
 from dampen.lab.desk import Desk, Left
-from dampen.lab.handed_in import attach, is_result, result_in, table_in
+from dampen.lab.foreign import is_netcdf
+from dampen.lab.handed_in import attach, contents, result_in, table_in
 from dampen.lab.tables import Trust, faults, scenario_of
 from dampen.lab.takeaway import take
 from dampen.scenarios.results import load
+from dampen.simulation.result import Result
 
 LENGTH = struct.Struct("<I")
 ROOM = 4 * 2**30  # bytes of data that a worker may have
@@ -76,19 +78,25 @@ class Worker:
         if what == "run":
             self.desk.run(job["id"], job["table"], job["trial"], self.trust)
         elif what == "open":
-            result = load(job["path"]) if job["trusted"] else result_in(Path(job["path"]), self.trust)[0]
-            self.desk.open(job["id"], result, job["trial"])
+            self.desk.open(job["id"], self.stored(job), job["trial"])
         elif what == "read":
-            content = Path(job["path"]).read_bytes()
-            if is_result(content):
-                return {"table": result_in(Path(job["path"]), self.trust)[1], "result": True}
-            return {"table": table_in(content, job["name"], self.trust), "result": False}
+            content, kept = contents(Path(job["path"]).read_bytes(), self.trust)
+            if is_netcdf(content):
+                return {"table": result_in(content, self.trust, kept)[1], "result": True}
+            return {"table": table_in(content, job["name"], self.trust, kept), "result": False}
         elif what == "attach":
             return {"attachment": attach(Path(job["path"]).read_bytes(), job["name"], self.trust)}
         elif what == "take":
-            path, name = take(job["what"], scenario_of(job["table"], self.trust), self.trust)
+            path, name = take(job["what"], scenario_of(job["table"], self.trust), self.trust, Path(job["folder"]))
             return {"path": str(path), "name": name}
         return {}
+
+    def stored(self, job: dict[str, Any]) -> Result:
+        """A stored result: the command's own, or one that a browser has handed in."""
+        if job["trusted"]:
+            return load(job["path"])
+        content, kept = contents(Path(job["path"]).read_bytes(), self.trust)
+        return result_in(content, self.trust, kept)[0]
 
     def say(self, said: bytes | Mapping[str, Any]) -> None:
         """Send a message or a frame to the page."""

@@ -71,10 +71,10 @@ class Worker:
             if self.process is None or self.process.returncode is not None:
                 self.introduced = False
                 self.process = await asyncio.create_subprocess_exec(
-                    sys.executable, "-m", "dampen.lab.worker",
+                    sys.executable, "-P", "-m", "dampen.lab.worker",  # -P: nothing is taken from the folder it happens to be in
                     stdin=asyncio.subprocess.PIPE, stdout=asyncio.subprocess.PIPE,
                     start_new_session=True,  # Ctrl-C is the server's to hear
-                    env={**os.environ, "OPENBLAS_NUM_THREADS": "1", "PYTHONPATH": os.pathsep.join(p for p in sys.path if p)},
+                    env={**os.environ, "OPENBLAS_NUM_THREADS": "1"},
                 )  # fmt: skip
             return self.process
 
@@ -135,23 +135,28 @@ class Worker:
                 self.last_used = time.monotonic()
 
     async def fulfil(self, wish: Wish) -> dict[str, Any]:
-        """Have one job done, and pass its answers on."""
-        self.serial += 1
-        self.current, self.began, self.shown, self.told = wish, time.monotonic(), False, False
-        try:
-            await self.start()
-            if not self.introduced:
-                self.introduced = True
-                self.send({"trust": self.trust()})
-            self.send({**wish.job, "serial": self.serial})
-            async with asyncio.timeout(PATIENCE):
-                return await self.relay(wish)
-        except (TimeoutError, Broken, OSError) as error:
-            await self.end()
-            late = f"took longer than {PATIENCE:.0f} s" if isinstance(error, TimeoutError) else "broke down"
-            return {"failed": f"The computation {late} and was ended."}
-        finally:
-            self.current = None
+        """Have one job done, and pass its answers on; once more where the process has gone before it said anything."""
+        for last in (False, True):
+            self.serial += 1
+            self.current, self.began, self.shown, self.told = wish, time.monotonic(), False, False
+            try:
+                async with asyncio.timeout(PATIENCE):
+                    await self.start()
+                    if not self.introduced:
+                        self.introduced = True
+                        self.send({"trust": self.trust()})
+                    self.send({**wish.job, "serial": self.serial})
+                    return await self.relay(wish)
+            except TimeoutError:
+                await self.end()
+                return {"failed": f"The computation took longer than {PATIENCE:.0f} s and was ended."}
+            except (Broken, OSError):
+                await self.end()
+                if last or self.shown:
+                    break
+            finally:
+                self.current = None
+        return {"failed": "The computation broke down and was ended."}
 
     async def relay(self, wish: Wish) -> dict[str, Any]:
         """Pass on what the process answers, until the job has ended."""
@@ -189,13 +194,14 @@ class Worker:
 
 
 class Workers:
-    """Workers for pages, one to begin with and more as pages come; and one for what is taken away, while it is needed."""
+    """Workers for pages, one to begin with and more as pages come; and for errands beside them, while they are needed: quick ones
+    do not wait for slow ones."""
 
     def __init__(self, trust: Callable[[], dict[str, Any]], most: int = 0):
         self.trust = trust
         self.most = most or max(1, min(MOST, os.cpu_count() or 1))
         self.benches: list[Worker] = []
-        self.clerk: Worker | None = None
+        self.clerks: dict[str, Worker] = {}
         self.watch: asyncio.Task[None] | None = None
 
     def open(self) -> None:
@@ -214,15 +220,16 @@ class Workers:
 
     async def errand(self, job: dict[str, Any]) -> dict[str, Any]:
         """A job beside the pages."""
-        if self.clerk is None:
-            self.clerk = Worker(self.trust)
-
+        kind = "slow" if job["do"] == "take" else "quick"
+        if kind not in self.clerks:
+            self.clerks[kind] = Worker(self.trust)
+        clerk = self.clerks[kind]
         customer = Customer(nowhere)
-        self.clerk.customers.add(customer)
+        clerk.customers.add(customer)
         try:
-            return await self.clerk.wish(customer, job).outcome
+            return await clerk.wish(customer, job).outcome
         finally:
-            self.clerk.customers.discard(customer)
+            clerk.forget(customer)
 
     async def end_idle(self) -> None:
         """Give back what nobody uses."""
@@ -232,15 +239,16 @@ class Workers:
             for worker in [w for w in self.benches[1:] if not w.customers and w.last_used < old]:
                 self.benches.remove(worker)
                 await worker.close()
-            if self.clerk is not None and not self.clerk.customers and self.clerk.last_used < old:
-                clerk, self.clerk = self.clerk, None
-                await clerk.close()
+            for kind, clerk in list(self.clerks.items()):
+                if not clerk.customers and clerk.last_used < old:
+                    del self.clerks[kind]
+                    await clerk.close()
 
     async def close(self) -> None:
         """End all."""
         if self.watch is not None:
             self.watch.cancel()
-        workers = [*self.benches, *([self.clerk] if self.clerk else [])]
+        workers = [*self.benches, *self.clerks.values()]
         for worker in workers:
             worker.kill()
         for worker in workers:

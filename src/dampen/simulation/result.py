@@ -110,7 +110,7 @@ class Result:
     """What a run left. `result["y"][3]` is the port motion of trial 3; `result.dataset` is everything as an xarray Dataset.
 
     trials: number of finished trials.
-    status: "complete", "interrupted" or "diverged".
+    status: "complete", "constraint_lost", "interrupted" or "diverged".
     warnings: thin resolution, a lost constraint, forces that did not settle; one line each.
     """
 
