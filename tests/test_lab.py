@@ -29,7 +29,7 @@ from dampen.lab.limits import check_cost
 from dampen.lab.picture import BUCKETS, POINTS, bucketed, largest_in, overview, selected
 from dampen.lab.tables import Trust, scenario_of
 from dampen.scenarios.kinds import KINDS
-from dampen.scenarios.read import laid_over, shipped, table_of
+from dampen.scenarios.read import build, laid_over, shipped, table_of
 from dampen.scenarios.schema import schema
 from dampen.simulation.bench import Bench
 from dampen.simulation.stores import FileStore
@@ -410,6 +410,22 @@ def test_an_attached_record_shakes_the_beam(page):
     assert not np.array_equal(answers.pictures[0][1]["y"], page.run(other).pictures[0][1]["y"])
 
 
+def test_an_attached_netcdf_record_is_copied_without_what_else_it_holds(page, tmp_path):
+    path, t = tmp_path / "record.nc", np.linspace(0, 2, 201)
+    with netCDF4.Dataset(path, "w") as file:
+        file.createDimension("row", len(t))
+        file.createVariable("t", "f8", ("row",))[:] = t
+        file.createVariable("f", "f4", ("row",))[:] = 0.1 * np.sin(6 * t)
+        file.createVariable("table", "f8", ("row", "row"))
+    name = json.loads(page.post("/attach?name=record.nc", path.read_bytes())[1])["attachment"]
+    table = quick()
+    table["disturbance"] = {"kind": "recorded", "file": name, "columns": {"tip_w": "f"}, "time": "t"}
+    found = page.run(table).pictures[0][1]["peaks"]
+    own = laid_over(quick(), {})
+    own["disturbance"] = {"kind": "recorded", "file": str(path), "columns": {"tip_w": "f"}, "time": "t"}
+    np.testing.assert_array_equal(found, overview(dampen.simulate(build(own)))["peaks"])
+
+
 @pytest.mark.parametrize(
     ("name", "content", "words"),
     [
@@ -445,7 +461,7 @@ def test_attachments_are_named_by_the_lab_and_bounded(tmp_path, name, content, w
         ("a.toml", b'based_on = "/etc/passwd"', "whole scenarios"),
         ("a.toml", b'[plant]\nkind = "os:system"', "code of your own"),
         ("a.nc", b"\x89HDF\r\n\x1a\n" + bytes(500), "cannot be read"),
-        ("a.nc", b"CDF\x01" + bytes(100), "NetCDF file cannot be read"),
+        ("a.nc", b"CDF\x01" + bytes(100), "not a dampen result"),
     ],
 )
 def test_a_broken_upload_is_told_as_one(page, name, content, words):

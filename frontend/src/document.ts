@@ -3,10 +3,17 @@
 import { equal, type Path, valueAt, withValue, without } from "./path";
 import type { Opened, Table, Value } from "./protocol";
 
-/** One state of the work: a table, and the preset that it came from. */
+/** What else goes back and forth with a step. */
+export interface Along {
+  undo(): void;
+  redo(): void;
+}
+
+/** One state of the work: a table, the preset that it came from, and what went along with the step to it. */
 interface Snapshot {
   preset: Opened;
   table: Table;
+  along?: Along | undefined;
 }
 
 const LONGEST_HISTORY = 500;
@@ -56,11 +63,11 @@ export class ScenarioDocument {
 
   set(path: Path, value: Value, gesture: string | null = null): void {
     if (equal(this.value(path), value)) return;
-    this.step({ ...this.now, table: withValue(this.now.table, path, value) as Table }, gesture);
+    this.step({ preset: this.preset, table: withValue(this.now.table, path, value) as Table }, gesture);
   }
 
   remove(path: Path): void {
-    if (this.value(path) !== undefined) this.step({ ...this.now, table: without(this.now.table, path) });
+    if (this.value(path) !== undefined) this.step({ preset: this.preset, table: without(this.now.table, path) });
   }
 
   /** Back to what the preset has at `path`. */
@@ -71,8 +78,8 @@ export class ScenarioDocument {
   }
 
   /** Another preset, and a table that began as it. */
-  open(preset: Opened, table: Table = preset.table): void {
-    this.step({ preset, table });
+  open(preset: Opened, table: Table = preset.table, along?: Along): void {
+    this.step({ preset, table, along });
   }
 
   /** Begins anew, with nothing to undo. */
@@ -90,11 +97,12 @@ export class ScenarioDocument {
   }
 
   undo(): void {
-    this.travel(this.past, this.future);
+    const { along } = this.now;
+    if (this.travel(this.past, this.future)) along?.undo();
   }
 
   redo(): void {
-    this.travel(this.future, this.past);
+    if (this.travel(this.future, this.past)) this.now.along?.redo();
   }
 
   private step(next: Snapshot, gesture: string | null = null): void {
@@ -106,12 +114,14 @@ export class ScenarioDocument {
     this.changed();
   }
 
-  private travel(from: Snapshot[], to: Snapshot[]): void {
+  /** Whether there was a step to go. */
+  private travel(from: Snapshot[], to: Snapshot[]): boolean {
     const found = from.pop();
-    if (!found) return;
+    if (!found) return false;
     to.push(this.now);
     this.now = found;
     this.gesture = null;
     this.changed();
+    return true;
   }
 }

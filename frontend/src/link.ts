@@ -1,13 +1,14 @@
 // A link that holds the whole state: JSON, deflated, in the part of the address that never leaves the browser.
 
-import type { Table } from "./protocol";
-import type { ViewState } from "./view/view";
+import { isTable } from "./path";
+import type { Table, Value } from "./protocol";
+import { stateIn, type ViewState } from "./view/state";
 
 export interface Linked {
   v: 1;
   preset: string;
   table: Table;
-  view: Partial<ViewState>;
+  view: ViewState;
 }
 
 const LARGEST = 4_000_000; // bytes once inflated: no scenario is as large, a bomb is
@@ -25,11 +26,11 @@ export async function fromHash(hash: string): Promise<Linked | null> {
   const binary = atob(code.replaceAll("-", "+").replaceAll("_", "/"));
   const deflated = Uint8Array.from(binary, (character) => character.charCodeAt(0));
   const inflated = await through(deflated, new DecompressionStream("deflate-raw"));
-  const state = JSON.parse(new TextDecoder().decode(inflated)) as Partial<Linked> | null;
-  if (state?.v !== 1 || typeof state.preset !== "string" || typeof state.table !== "object" || state.table === null) {
-    throw new Error("The link holds no state.");
-  }
-  return { v: 1, preset: state.preset, table: state.table, view: state.view ?? {} };
+  // Anyone can have written it.
+  const state = JSON.parse(new TextDecoder().decode(inflated)) as { [field in keyof Linked]?: unknown } | null;
+  const table = state?.table as Value | undefined;
+  if (state?.v !== 1 || typeof state.preset !== "string" || !isTable(table)) throw new Error("The link holds no state.");
+  return { v: 1, preset: state.preset, table, view: stateIn(state.view) };
 }
 
 async function through(bytes: Uint8Array<ArrayBuffer>, filter: GenericTransformStream): Promise<Uint8Array> {

@@ -7,10 +7,11 @@ const RAISED = "⁻⁰¹²³⁴⁵⁶⁷⁸⁹ⁿ";
 export const prettyUnit = (unit: string): string =>
   unit.replace(/\^(-?[\dn]+)/g, (_, power: string) => [...power].map((character) => RAISED[PLAIN.indexOf(character)]).join(""));
 
-/** The number that was typed, with a true minus sign as well; undefined where it is none yet. */
+/** The number that was typed, with a true minus sign as well; undefined where it is none yet, or none that can be held. */
 export function parseNumber(text: string): number | undefined {
   const plain = text.trim().replace(/^−/, "-").replace(/e−/i, "e-");
-  return /^[+-]?(\d+\.?\d*|\.\d+)(e[+-]?\d+)?$/i.test(plain) ? Number(plain) : undefined;
+  const number = /^[+-]?(\d+\.?\d*|\.\d+)(e[+-]?\d+)?$/i.test(plain) ? Number(plain) : NaN;
+  return Number.isFinite(number) ? number : undefined;
 }
 
 /** `value` to so many significant digits. */

@@ -129,7 +129,7 @@ export interface Picture {
   tracking: boolean; // whether there is a reference
   reset: boolean; // whether trials start afresh
   seconds: number; // what the run took
-  energy: { [name: string]: number }; // the account [J], see `energy_account`
+  energy: { [name: string]: number | null }; // the account [J], see `energy_account`; null: not finite
   sliders: { [path: string]: { low: number; high: number; log: boolean } }; // ranges that the code itself would search
   trial: number; // the trial that comes with it: its arrays are the same as those of a `trial` frame
   arrays: { [name: string]: { type: "f4" | "f8"; shape: number[]; at: number } };

@@ -28,9 +28,9 @@ export async function attachFile(file: File): Promise<string> {
   return ((await answer.json()) as { attachment: string }).attachment;
 }
 
-/** Has the server make a file of this scenario, and hands it to the browser to save. */
-export async function download(what: Download, table: Table): Promise<void> {
-  const answer = await post(`/download/${what}`, JSON.stringify({ table }));
+/** Has the server make a file of this scenario, and hands it to the browser to save; of a stored result, the file itself. */
+export async function download(what: Download, table: Table, token?: string): Promise<void> {
+  const answer = await post(`/download/${what}`, JSON.stringify({ table, token }));
   const name = /filename="?([^";]+)"?/.exec(answer.headers.get("Content-Disposition") ?? "")?.[1] ?? `dampen-${what}`;
   const address = URL.createObjectURL(await answer.blob());
   const link = document.createElement("a");

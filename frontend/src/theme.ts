@@ -13,6 +13,7 @@ const TOKENS: readonly (keyof Palette)[] = [
   "uncontrolled",
   "constraint",
   "learned",
+  "reference",
   "ink",
   "faint",
   "paper",

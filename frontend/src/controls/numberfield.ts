@@ -5,7 +5,7 @@ import { parseNumber, prettyUnit, readable } from "../numbers";
 import { formatPath, type Path } from "../path";
 import type { Described, Field, Form } from "./form";
 import { Row } from "./row";
-import { holds, numberAt, positionOf, type Scale, scaleFor, TRAVEL } from "./scale";
+import { holds, inside, numberAt, positionOf, type Scale, scaleFor, TRAVEL } from "./scale";
 import { onTyped } from "./typed";
 
 export class NumberField implements Field {
@@ -78,7 +78,7 @@ export class NumberField implements Field {
   private rescale(number: number | undefined): void {
     const found = this.form.sliders[this.at];
     if (found && number !== undefined && found.low <= number && number <= found.high) {
-      this.scale = { ...found, whole: this.parameter.type.is === "integer" };
+      this.scale = inside({ ...found, whole: this.parameter.type.is === "integer" }, this.parameter.range);
     } else if (!this.holds(number)) {
       this.scale = scaleFor(number, this.parameter);
     }
@@ -102,6 +102,8 @@ export class NumberField implements Field {
     const whole = this.parameter.type.is === "integer";
     if (number === undefined) return this.row.fail("This is not a number.");
     if (whole && !Number.isInteger(number)) return this.row.fail("This must be a whole number.");
+    // Beyond it the page would run another number than the one that was typed.
+    if (whole && !Number.isSafeInteger(number)) return this.row.fail("This whole number is too large.");
     this.row.fail("");
     if (!this.form.sliders[this.at]) this.scale = scaleFor(number, this.parameter);
     this.form.scenario.set(this.path, number, `type ${this.at}`);

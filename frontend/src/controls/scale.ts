@@ -22,18 +22,26 @@ const WIDE = 10;
 export function scaleFor(value: number | undefined, { type, range }: Pick<Parameter, "type" | "range">): Scale | null {
   if (value === undefined) return null;
   const whole = type.is === "integer";
-  const floor = range.ge ?? range.gt ?? -Infinity;
-  const ceiling = range.le ?? range.lt ?? Infinity;
+  const floor = Math.max(range.ge ?? -Infinity, range.gt ?? -Infinity);
+  const ceiling = Math.min(range.le ?? Infinity, range.lt ?? Infinity);
   const bounded = Number.isFinite(floor) && Number.isFinite(ceiling);
   const wide = whole && ceiling - floor > WIDE * Math.abs(value);
-  if (bounded && !wide) return { low: floor, high: ceiling, log: false, whole };
+  if (bounded && !wide) return inside({ low: floor, high: ceiling, log: false, whole }, range);
   if (value === 0) return null;
   if (value > 0) {
-    const low = Math.max(value / REACH, floor, whole ? 1 : 0);
-    return { low, high: Math.min(value * REACH, ceiling), log: true, whole };
+    const low = Math.max(significant(value / REACH, 3), floor, whole ? 1 : 0);
+    return inside({ low, high: Math.min(significant(value * REACH, 3), ceiling), log: true, whole }, range);
   }
-  const reach = LINEAR_REACH * Math.abs(value);
-  return { low: Math.max(-reach, floor), high: Math.min(reach, ceiling), log: false, whole };
+  const reach = significant(LINEAR_REACH * Math.abs(value), 3);
+  return inside({ low: Math.max(-reach, floor), high: Math.min(reach, ceiling), log: false, whole }, range);
+}
+
+/** The scale without ends that the value must not take: a bound that is excluded is kept away from, by a step of the slider. */
+export function inside(scale: Scale, { gt = -Infinity, lt = Infinity }: Parameter["range"]): Scale {
+  const low = scale.whole ? Math.ceil(scale.low) : scale.low;
+  const high = scale.whole ? Math.floor(scale.high) : scale.high;
+  const step = scale.whole ? 1 : (high - low) / TRAVEL;
+  return { ...scale, low: low <= gt ? gt + step : low, high: high >= lt ? lt - step : high };
 }
 
 export const holds = (scale: Scale, value: number): boolean => scale.low <= value && value <= scale.high;
@@ -48,8 +56,7 @@ export function positionOf({ low, high, log }: Scale, value: number): number {
 export function numberAt({ low, high, log, whole }: Scale, position: number): number {
   const share = position / TRAVEL;
   const value = log ? low * (high / low) ** share : low + (high - low) * share;
-  if (whole) return Math.round(value);
-  if (log) return significant(value, 3);
   const decimals = Math.max(0, Math.ceil(-Math.log10((high - low) / TRAVEL)));
-  return Number(value.toFixed(Math.min(decimals, 20)));
+  const rounded = whole ? Math.round(value) : log ? significant(value, 3) : Number(value.toFixed(Math.min(decimals, 20)));
+  return Math.min(Math.max(rounded, low), high); // rounding must not lead over the ends
 }

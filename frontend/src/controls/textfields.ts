@@ -26,7 +26,8 @@ const list = (of: Type): Notation => ({
       .split(/[,;]/)
       .map((item) => item.trim())
       .filter(Boolean);
-    return of.is === "number" || of.is === "integer" ? items.map(number) : items;
+    if (of.is === "integer") return items.map(whole);
+    return of.is === "number" ? items.map(number) : items;
   },
 });
 
@@ -34,9 +35,11 @@ const matrix: Notation = {
   write: (value) => JSON.stringify(value),
   read: (text) => {
     try {
+      // What is beyond all numbers, such as 1e400, would reach the server as null.
+      if (JSON.stringify(JSON.parse(text)).includes("null")) throw new Error();
       return JSON.parse(text) as Value;
     } catch {
-      throw new Error("Write rows in brackets: [[1, 0], [0, 1]].");
+      throw new Error("Write rows of numbers in brackets: [[1, 0], [0, 1]].");
     }
   },
 };
@@ -44,6 +47,12 @@ const matrix: Notation = {
 function number(text: string): number {
   const value = parseNumber(text);
   if (value === undefined) throw new Error(`“${text}” is not a number.`);
+  return value;
+}
+
+function whole(text: string): number {
+  const value = number(text);
+  if (!Number.isSafeInteger(value)) throw new Error(`“${text}” is not a whole number, or too large.`);
   return value;
 }
 

@@ -15,7 +15,7 @@ const TOKENS = [
   "learned",
   "reference",
 ] as const;
-const SPARE: { [token: string]: Token } = { card: "paper", line: "faint", reference: "ink" }; // where the page sets none
+const SPARE: { [token: string]: Token } = { card: "paper", line: "faint" }; // where the page sets none
 
 export type Token = (typeof TOKENS)[number];
 

@@ -6,23 +6,23 @@ import time
 from collections import OrderedDict
 from collections.abc import Callable, Mapping
 from dataclasses import replace
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
-from dampen.analysis.audit.audit import Audit, audit
 from dampen.analysis.claims import Claim, verdict_sentence
 from dampen.component import ArgumentError
 from dampen.controllers.none import NoControl
 from dampen.lab.picture import picture, trial_frame
 from dampen.lab.tables import Trust, faults, scenario_of
-from dampen.report.review.words import sentence
 from dampen.report.style import typeset
-from dampen.scenarios.claims import check_claims
 from dampen.simulation.bench import Bench
 from dampen.simulation.compose import is_ready
 from dampen.simulation.result import Result
 from dampen.simulation.scenario import Scenario
 from dampen.simulation.trials import simulate
 from dampen.toml import to_toml
+
+if TYPE_CHECKING:
+    from dampen.analysis.audit.audit import Audit
 
 Say = Callable[[bytes | Mapping[str, Any]], None]
 BENCHES = 4
@@ -87,6 +87,10 @@ class Desk:
 
     def review(self, id: int, result: Result, bench: Bench) -> dict[str, Any]:
         """What holds in the run and what does not."""
+        from dampen.analysis.audit.audit import audit  # not before the first picture is out
+        from dampen.report.review.words import sentence
+        from dampen.scenarios.claims import check_claims
+
         claims: list[Claim] = []
         if result.scenario.claims:
             self.unless_newer()
