@@ -39,7 +39,7 @@ def picture(browser: Browser, address: str, size: str, scheme: str) -> None:
         "() => { const s = document.querySelector('.stage-tools input[type=range]');"
         "s.value = 303; s.dispatchEvent(new Event('input')); }"  # as large as they are
     )
-    page.get_by_role("slider", name="Time").fill("0.4")
+    page.get_by_role("slider", name="Time", exact=True).fill("0.4")
     page.locator("body").click(position={"x": 5, "y": 5})
     page.wait_for_timeout(1500)
     shot = Image.open(io.BytesIO(page.screenshot())).convert("RGB")

@@ -177,7 +177,7 @@ def test_scrubbing_shows_the_motion_of_that_time_and_trial(hand):
     trial = page.get_by_label("Number of the trial")
     trial.fill("3")
     trial.press("Enter")
-    page.get_by_role("slider", name="Time").fill("0.5")
+    page.get_by_role("slider", name="Time", exact=True).fill("0.5")
     expect(page.locator("#transport")).to_contain_text("0.500 s")
     result = dampen.simulate(dampen.read_scenario("he2017"))
     shown = page.locator("#stage table tr").first.locator("td").first.inner_text()
@@ -190,7 +190,7 @@ def test_scrubbing_shows_the_motion_of_that_time_and_trial(hand):
 def test_playing_goes_on_through_the_trials(hand):
     page = hand.page
     page.get_by_label("Speed").select_option("2")
-    page.get_by_role("slider", name="Time").fill("1.8")
+    page.get_by_role("slider", name="Time", exact=True).fill("1.8")
     page.get_by_role("button", name="Play").click()
     expect(page.get_by_text("Trial 1 of 25")).to_be_visible()
     page.get_by_role("button", name="Pause").click()
