@@ -40,7 +40,7 @@ export class Lab {
   ) {
     this.scenario = new ScenarioDocument(start, () => this.changed());
     const places = { stage: place("stage"), transport: place("transport"), panels: place("panels"), verdicts: place("verdicts") };
-    this.view = new View(places, schema, {
+    this.view = new View(places, {
       trial: (trial) => this.session.look(trial),
       state: () => this.address.renew(),
     });
@@ -53,6 +53,7 @@ export class Lab {
       reviewed: (review) => this.status.reviewed(review),
       pinned: (label) => this.nowPinned(label),
       refused: (faults) => this.refused(faults, "Not run"),
+      without: () => this.status.withoutRun(),
       failed: (text) => this.failed(text),
       note: (text) => this.status.say(text),
       line: (open) => this.status.line(open),
@@ -155,13 +156,19 @@ export class Lab {
     const { now, pinned } = this.session;
     if (!now || !pinned) return;
     this.session.pin(now);
-    this.scenario.open(pinned.source.preset, pinned.source.table);
+    // What was pinned is run again when the swap is undone: to keep whole runs for every step would take too much memory.
+    const along = {
+      undo: () => this.session.runBeside(pinned.source),
+      redo: () => this.session.runBeside(now.source),
+    };
+    this.scenario.open(pinned.source.preset, pinned.source.table, along);
   }
 
   private async save(what: Download): Promise<void> {
     this.status.say(MAKING[what]);
     await this.attempt("Not written", async () => {
-      await download(what, this.scenario.table);
+      const { table, token } = this.source();
+      await download(what, table, token);
       this.status.say("The download is ready.");
     });
   }

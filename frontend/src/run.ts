@@ -14,22 +14,27 @@ export interface Curve {
 /** The signals that are kept by port, and the one that is a number of the whole structure. */
 export type Signal = "y" | "reference" | "low" | "high" | "command" | "delivered" | "energy";
 
+/** Efforts are held through a step and belong to its middle: there is one value fewer than there are times. */
+export const isHeld = (name: Signal | "barrier"): boolean => name === "command" || name === "delivered";
+
 export class Run {
   readonly picture: Picture;
   readonly peaks: Float64Array; // (trials, ports)
   looked = 0; // the trial being looked at
 
   readonly #frame: Framed<Picture>;
+  readonly #snapshots: Float64Array; // their times in a trial [s]
   readonly #details = new Map<number, Trial>();
   readonly #columns = new Map<string, Float32Array>();
   readonly #largest = new Map<string, number>();
-  #overviewTime: Float64Array | null = null;
+  readonly #times = new Map<string, Float64Array>();
   #held = 0;
 
   constructor(frame: Framed<Picture>) {
     this.#frame = frame;
     this.picture = frame.header;
     this.peaks = frame.array("peaks") as Float64Array;
+    this.#snapshots = Float64Array.from(frame.array("time_out"));
     this.looked = this.picture.trial;
     if (frame.has("y")) this.#keep(this.picture.trial, frame); // a run that broke off in its first trial may have none
   }
@@ -62,14 +67,12 @@ export class Run {
 
   /** A signal at every step of a trial, or of all trials in buckets; a trial whose detail is not here yet is cut from these. */
   curve(name: Signal, port: number, trial: number | null): Curve {
-    if (trial === null) return { time: this.#time(), values: this.overview(name, port) };
-    const detail = this.#details.get(trial);
+    const detail = trial === null ? null : this.#details.get(trial);
     if (detail) return detail.curve(name, port);
-    const size = this.bucketed;
-    return {
-      time: this.#time().subarray(0, size),
-      values: this.overview(name, port).subarray(trial * size, (trial + 1) * size),
-    };
+    const [time, values] = [this.#time(name), this.overview(name, port)];
+    if (trial === null) return { time, values };
+    const size = this.#bucketed(name);
+    return { time: time.subarray(0, size), values: values.subarray(trial * size, (trial + 1) * size) };
   }
 
   /** A signal over all trials: of each bucket its smallest and its largest value, in order of time. */
@@ -86,9 +89,9 @@ export class Run {
     return column;
   }
 
-  /** Values of a signal that the overview has in one trial. */
-  get bucketed(): number {
-    return 2 * (this.#frame.shape("time")[0] ?? 0);
+  /** Whether a signal is finite anywhere in the run: a limit that is not is none. */
+  bounded(name: Signal, port: number): boolean {
+    return this.overview(name, port).some(Number.isFinite);
   }
 
   /** The largest modulus of a signal in a trial, or in the whole run. Infinite values (no constraint) do not count. */
@@ -96,7 +99,7 @@ export class Run {
     const key = `${name}.${port}.${trial}`;
     let largest = this.#largest.get(key);
     if (largest === undefined) {
-      const size = this.bucketed;
+      const size = this.#bucketed(name);
       const all = this.overview(name, port);
       largest = modulus(trial === null ? all : all.subarray(trial * size, (trial + 1) * size));
       this.#largest.set(key, largest);
@@ -104,10 +107,15 @@ export class Run {
     return largest;
   }
 
-  /** A field over all trials: rows of X values, a few rows a trial. */
-  field(name: string): { values: Float32Array; rows: number; perTrial: number } {
-    const [trials = 0, perTrial = 0] = this.#frame.shape(`all.${name}`);
-    return { values: this.#frame.array(`all.${name}`) as Float32Array, rows: trials * perTrial, perTrial };
+  /** A field at the snapshots of a trial, or over all trials: rows of X values, and their times. */
+  field(name: string, trial: number | null): { values: Float32Array; time: Float64Array } {
+    const detail = trial === null ? null : this.#details.get(trial);
+    if (detail) return { values: detail.field(name), time: this.#snapshots };
+    const [, columns = 0] = this.#frame.shape(`all.${name}`);
+    const [time, values] = [this.#columnTime(columns), this.#frame.array(`all.${name}`) as Float32Array];
+    if (trial === null) return { values, time };
+    const size = columns * this.x.length;
+    return { values: values.subarray(trial * size, (trial + 1) * size), time: time.subarray(0, columns) };
   }
 
   /** The largest modulus of a field in a trial, or in the whole run. */
@@ -115,8 +123,9 @@ export class Run {
     const key = `field ${name}.${trial}`;
     let largest = this.#largest.get(key);
     if (largest === undefined) {
-      const { values, perTrial } = this.field(name);
-      const size = perTrial * this.x.length;
+      const [, columns = 0] = this.#frame.shape(`all.${name}`);
+      const values = this.#frame.array(`all.${name}`) as Float32Array;
+      const size = columns * this.x.length;
       largest = modulus(trial === null ? values : values.subarray(trial * size, (trial + 1) * size));
       this.#largest.set(key, largest);
     }
@@ -127,18 +136,52 @@ export class Run {
     return this.peaks[trial * this.ports.length + port] ?? NaN;
   }
 
-  #time(): Float64Array {
-    if (!this.#overviewTime) {
-      const { trials, duration } = this.picture;
-      const size = this.bucketed;
-      this.#overviewTime = new Float64Array(trials * size);
-      for (let i = 0; i < this.#overviewTime.length; i++) this.#overviewTime[i] = ((i + 0.5) * duration) / size;
+  /** Values of a signal that the overview has in one trial. */
+  #bucketed(name: Signal): number {
+    return 2 * (this.#frame.shape(`all.${name}`)[1] ?? 0);
+  }
+
+  /** Times of an overview: the two values of a bucket stand a quarter of it before and after its middle. */
+  #time(name: Signal): Float64Array {
+    const { duration, step } = this.picture;
+    const size = this.#bucketed(name);
+    return this.#inAllTrials(`${isHeld(name)}.${size}`, () => {
+      const middles = this.#frame.array("time");
+      const quarter = middles.length > 1 ? (middles[1]! - middles[0]!) / 4 : Infinity;
+      return Float64Array.from({ length: size }, (_, i) => {
+        const middle = Math.min(middles[i >> 1]! + (isHeld(name) ? step / 2 : 0), duration);
+        const aside = Math.min(quarter, (duration - middle) / 2); // the last bucket may be a short one
+        return i % 2 === 0 ? middle - aside : middle + aside;
+      });
+    });
+  }
+
+  /** Times of a field's columns, each in the middle of its snapshots. */
+  #columnTime(columns: number): Float64Array {
+    const length = Math.ceil(this.#snapshots.length / columns);
+    return this.#inAllTrials(`columns.${columns}`, () =>
+      Float64Array.from({ length: columns }, (_, column) => {
+        const last = Math.min((column + 1) * length, this.#snapshots.length) - 1;
+        return (this.#snapshots[column * length]! + this.#snapshots[last]!) / 2;
+      }),
+    );
+  }
+
+  /** Times of one trial, gone on with through all trials; kept under `key`. */
+  #inAllTrials(key: string, ofOne: () => Float64Array): Float64Array {
+    let times = this.#times.get(key);
+    if (!times) {
+      const [one, { trials, duration }] = [ofOne(), this.picture];
+      times = Float64Array.from({ length: trials * one.length }, (_, i) => {
+        return Math.floor(i / one.length) * duration + one[i % one.length]!;
+      });
+      this.#times.set(key, times);
     }
-    return this.#overviewTime;
+    return times;
   }
 
   #keep(trial: number, frame: Framed<Picture> | Framed<Detail>): void {
-    const detail = new Trial(frame, this.picture);
+    const detail = new Trial(frame, this.picture, this.#snapshots);
     this.#held += detail.bytes - (this.#details.get(trial)?.bytes ?? 0);
     this.#details.set(trial, detail);
   }

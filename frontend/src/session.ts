@@ -35,6 +35,8 @@ export interface SessionEvents {
   reviewed(review: Extract<Said, { say: "review" }> | null): void;
   pinned(label: string | null): void;
   refused(faults: Fault[]): void;
+  /** The scenario has no run: the one on the page is another's. */
+  without(): void;
   failed(text: string): void;
   note(text: string): void;
   line(open: boolean): void;
@@ -48,6 +50,8 @@ export class Session {
   private readonly connection: Connection;
   private readonly asked = new Map<number, Asking>();
   private timer = 0;
+  /** The newest question for a run to work on: an older one's answer may be drawn, but is not the scenario's. */
+  private newest = 0;
 
   constructor(
     private readonly view: View,
@@ -64,7 +68,9 @@ export class Session {
 
   /** Has a scenario run; it becomes what is worked on. */
   run(source: Source): number {
-    return this.ask({ lane: "now", source, missing: null });
+    this.view.stand("coming");
+    this.newest = this.ask({ lane: "now", source, missing: null });
+    return this.newest;
   }
 
   /** Has a scenario run and pins it. */
@@ -118,8 +124,8 @@ export class Session {
     }
     this.now = shown;
     this.review(null);
-    await this.view.show(shown.run);
-    if (this.now === shown) this.events.drawn(frame.header);
+    await this.view.show(shown.run, shown.source.label, id === this.newest ? "own" : "coming");
+    if (this.now === shown && id === this.newest) this.events.drawn(frame.header);
     tell("dampen:drawn", id);
   }
 
@@ -138,12 +144,10 @@ export class Session {
         this.events.note(said.text);
         break;
       case "refused":
-        this.answered(said.id);
-        this.events.refused(said.faults);
+        if (this.concerns(said.id)) this.events.refused(said.faults);
         break;
       case "failed":
-        this.answered(said.id);
-        this.events.failed(said.text);
+        if (this.concerns(said.id)) this.events.failed(said.text);
         break;
       case "review":
         if (this.now?.id !== said.id) break;
@@ -163,12 +167,17 @@ export class Session {
     this.events.reviewed(review);
   }
 
-  /** A question has been answered without a run; what could not be had a second time is not asked for a third time. */
-  private answered(id: number): void {
+  /** A question has been answered without a run: whether that concerns anyone still, nothing newer having been asked. */
+  private concerns(id: number): boolean {
     const asking = this.asked.get(id);
-    if (!asking) return;
-    if (asking.missing) asking.missing.details = "complete";
-    this.forget(id, asking.lane);
+    if (asking) this.forget(id, asking.lane);
+    // What could not be had a second time is not asked for a third time.
+    if (asking?.missing) asking.missing.details = "complete";
+    if (asking && id === this.newest) {
+      this.view.stand("other");
+      this.events.without();
+    }
+    return asking?.lane === "beside" || id === 0 || id >= this.newest;
   }
 
   /** Older questions of the lane will not be answered any more: something newer has overtaken them. */
@@ -178,6 +187,7 @@ export class Session {
 
   private line(open: boolean): void {
     for (const shown of [this.now, this.pinned]) if (!open && shown?.details === "coming") shown.details = "left";
+    if (this.asked.has(this.newest)) this.view.stand(open ? "coming" : "other");
     if (open) this.soon();
     this.events.line(open);
   }

@@ -31,7 +31,14 @@ export class Status {
   expect(): void {
     clearTimeout(this.timer);
     this.timer = window.setTimeout(() => this.say("Running."), PATIENCE);
+    this.verdict.classList.add("pending");
     this.tell("");
+  }
+
+  /** The scenario has no run that anything could be said of. */
+  withoutRun(): void {
+    this.verdict.hidden = true;
+    this.warnings.element.hidden = true;
   }
 
   /** One sentence, read aloud when the reader is free. */

@@ -39,27 +39,12 @@ export function counterpart(pinned: Pinned, port: Port): number {
   return pinned.run.ports.findIndex(({ name, motion_unit }) => name === port.name && motion_unit === port.motion_unit);
 }
 
-/** The same signal of the pinned run, at the same times as `curve`; null when it has none. */
-export function pinnedCurve(scene: Scene, name: Signal, port: Port | null, curve: Curve): Float32Array | null {
+/** The same signal of the pinned run, at its own times; null when it has none. */
+export function pinnedCurve(scene: Scene, name: Signal, port: Port | null): Curve | null {
   const { pinned } = scene;
   if (!pinned || !pinned.run.hasSignal(name)) return null;
   const index = port ? counterpart(pinned, port) : 0;
   const trial = trialOf(scene);
   if (index < 0 || (trial !== null && trial >= pinned.run.picture.trials)) return null;
-  return atTimesOf(curve, pinned.run.curve(name, index, trial));
-}
-
-/** `other` at the times of `curve`, linear between its own. */
-function atTimesOf(curve: Curve, other: Curve): Float32Array {
-  const [times, own] = [curve.time, other.time];
-  const last = own.length - 1;
-  if (times.length === own.length && times[last] === own[last]) return other.values;
-  const values = new Float32Array(times.length).fill(NaN);
-  for (let i = 0, k = 0; i < times.length && times[i]! <= own[last]!; i++) {
-    while (k < last - 1 && own[k + 1]! < times[i]!) k++;
-    const share = last > 0 ? (times[i]! - own[k]!) / (own[k + 1]! - own[k]!) : 0;
-    const from = other.values[k]!;
-    values[i] = last > 0 ? from + share * (other.values[k + 1]! - from) : from;
-  }
-  return values;
+  return pinned.run.curve(name, index, trial);
 }

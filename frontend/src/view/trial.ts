@@ -1,29 +1,34 @@
 // One trial at every step: signals by port, and snapshots of the fields.
 
+import { lastUpTo } from "./nearest";
 import type { Detail, Framed, Picture } from "../protocol";
-import type { Curve, Signal } from "../run";
+import { type Curve, isHeld, type Signal } from "../run";
 
 export class Trial {
   readonly bytes: number;
-  readonly snapshots: number;
+  /** Where time can stop: at the snapshots of the fields, or where there are none at every step [s]. */
+  readonly stops: Float64Array;
 
   readonly #frame: Framed<Picture> | Framed<Detail>;
   readonly #picture: Picture;
   readonly #columns = new Map<string, Float32Array>();
   readonly #time: Float64Array;
+  readonly #middles: Float64Array; // of the steps
 
-  constructor(frame: Framed<Picture> | Framed<Detail>, picture: Picture) {
+  /** `snapshots`: their times [s]. */
+  constructor(frame: Framed<Picture> | Framed<Detail>, picture: Picture, snapshots: Float64Array) {
     this.#frame = frame;
     this.#picture = picture;
     this.#time = Float64Array.from({ length: picture.steps + 1 }, (_, step) => step * picture.step);
+    this.#middles = Float64Array.from({ length: picture.steps }, (_, step) => (step + 0.5) * picture.step);
     const first = picture.fields[0];
-    this.snapshots = first && frame.has(first.name) ? (frame.shape(first.name)[0] ?? 0) : 0;
+    this.stops = first && frame.has(first.name) ? snapshots : this.#time;
     this.bytes = Object.entries(frame.header.arrays)
       .filter(([name]) => !name.startsWith("all."))
       .reduce((sum, [, { type, shape }]) => sum + shape.reduce((size, n) => size * n, type === "f4" ? 4 : 8), 0);
   }
 
-  /** A signal of one port, by step. `command` and `delivered` belong to the steps between: they have one value fewer. */
+  /** A signal of one port, by step. */
   column(name: Signal | "barrier", port: number): Float32Array {
     const key = `${name}.${port}`;
     let column = this.#columns.get(key);
@@ -37,18 +42,18 @@ export class Trial {
   }
 
   curve(name: Signal | "barrier", port: number): Curve {
-    const values = this.column(name, port);
-    return { time: this.#time.subarray(0, values.length), values };
+    return { time: isHeld(name) ? this.#middles : this.#time, values: this.column(name, port) };
   }
 
-  /** A signal at a time [s], linear between steps. */
+  /** A signal at a time [s], linear between its own times. */
   at(name: Signal, port: number, time: number): number {
     const values = this.column(name, port);
-    const place = Math.min(Math.max(time / this.#picture.step, 0), values.length - 1);
+    const place = Math.min(Math.max(time / this.#picture.step - (isHeld(name) ? 0.5 : 0), 0), values.length - 1);
     const before = Math.floor(place);
     const after = Math.min(before + 1, values.length - 1);
     const from = values[before]!;
-    return from + (place - before) * (values[after]! - from) || from; // infinite limits: from stays
+    const between = from + (place - before) * (values[after]! - from);
+    return Number.isNaN(between) ? from : between; // limits may be infinite
   }
 
   /** A field, snapshot by snapshot (S, X). */
@@ -59,12 +64,12 @@ export class Trial {
   /** A field along the structure at a time [s], linear between snapshots, into `out`. */
   shape(name: string, time: number, out: Float32Array): void {
     const field = this.field(name);
-    const last = this.snapshots - 1;
-    const place = Math.min(Math.max((time / this.#picture.duration) * last, 0), last);
-    const before = Math.floor(place);
-    const share = place - before;
+    const before = Math.max(lastUpTo(this.stops, time), 0);
+    const after = Math.min(before + 1, this.stops.length - 1);
+    const [since, whole] = [time - this.stops[before]!, this.stops[after]! - this.stops[before]!];
+    const share = whole > 0 ? Math.min(Math.max(since / whole, 0), 1) : 0;
     const from = before * out.length;
-    const to = Math.min(before + 1, last) * out.length;
+    const to = after * out.length;
     for (let i = 0; i < out.length; i++) out[i] = field[from + i]! * (1 - share) + field[to + i]! * share;
   }
 }

@@ -22,14 +22,14 @@ export class Effort extends TimePanel {
     const trial = trialOf(scene);
     const delivered = run.curve("delivered", this.#index, trial);
     const command = run.curve("command", this.#index, trial);
-    const behind = pinnedCurve(scene, "delivered", port, delivered);
+    const behind = pinnedCurve(scene, "delivered", port);
     const largest = run.largest("delivered", this.#index, trial);
     const asked = run.largest("command", this.#index, trial);
     const measure = new Measure(Math.max(largest, asked) || 1, port.effort_unit);
     const says = (value: number) => measure.text(value);
 
     const lines: Line[] = [];
-    if (behind) lines.push({ label: `${scene.pinned!.label}, delivered`, token, values: behind, ...BEHIND, says });
+    if (behind) lines.push({ label: `${scene.pinned!.label}, delivered`, token, ...behind, ...BEHIND, says });
     lines.push({ label: "command", token: "faint", values: command.values, dash: [5, 3], width: 1, says });
     lines.push({ label: "delivered", token, values: delivered.values, says });
     return {

@@ -22,14 +22,14 @@ export class Energy extends TimePanel {
     const { run } = scene;
     const trial = trialOf(scene);
     const curve = run.curve("energy", 0, trial);
-    const behind = pinnedCurve(scene, "energy", null, curve);
+    const behind = pinnedCurve(scene, "energy", null);
     const largest = run.largest("energy", 0, trial);
     const measure = new Measure(largest || 1, "J");
     const says = (value: number) => measure.text(value);
     this.#account.fill(run.picture.energy, scene.pinned);
 
     const lines: Line[] = [];
-    if (behind) lines.push({ label: scene.pinned!.label, token: "ink", values: behind, ...BEHIND, says });
+    if (behind) lines.push({ label: scene.pinned!.label, token: "ink", ...behind, ...BEHIND, says });
     lines.push({ label: behind ? "structure, now" : "structure", token: "ink", values: curve.values, says });
     const detail = trial === null ? null : run.trial(trial);
     if (detail) lines.push({ label: "barrier", token: "constraint", values: detail.column("barrier", 0), dash: [6, 4], says });

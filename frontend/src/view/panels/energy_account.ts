@@ -2,6 +2,7 @@
 
 import { el } from "../../dom";
 import { Measure, number } from "../format";
+import type { Picture } from "../../protocol";
 import type { Pinned } from "../scene";
 
 const ENTRIES: [string, string][] = [
@@ -17,6 +18,8 @@ const ENTRIES: [string, string][] = [
 const ALWAYS = new Set(["initial", "law", "final"]);
 const TAKEN = new Set(["dissipated"]); // written as what leaves
 
+type Account = Picture["energy"];
+
 export class EnergyAccount {
   readonly root = el("details", { class: "account", open: true }, el("summary", {}, "Account of the whole run"));
   readonly #body = el("tbody", {});
@@ -26,16 +29,18 @@ export class EnergyAccount {
     this.root.append(el("table", {}, el("caption", { class: "unseen" }, "Energy account"), this.#body), this.#closing);
   }
 
-  fill(energy: { [name: string]: number }, pinned: Pinned | null): void {
+  fill(energy: Account, pinned: Pinned | null): void {
     const largest = Math.max(...ENTRIES.map(([key]) => Math.abs(energy[key] ?? 0)));
     const measure = new Measure(largest, "J");
-    const said = (of: { [name: string]: number }, key: string) => {
+    const said = (of: Account, key: string) => {
+      if (of[key] === null) return "–";
       const value = (TAKEN.has(key) ? -1 : 1) * (of[key] ?? 0);
       return ALWAYS.has(key) && (key === "initial" || key === "final")
         ? measure.text(value)
         : `${value > 0 ? "+" : ""}${measure.text(value)}`;
     };
-    const rows = ENTRIES.filter(([key]) => ALWAYS.has(key) || energy[key] || pinned?.run.picture.energy[key]);
+    const told = (of: Account | undefined, key: string) => of?.[key] === null || Boolean(of?.[key]);
+    const rows = ENTRIES.filter(([key]) => ALWAYS.has(key) || told(energy, key) || told(pinned?.run.picture.energy, key));
     this.#body.replaceChildren(
       ...(pinned
         ? [el("tr", {}, el("td", {}), el("th", { scope: "col" }, "now"), el("th", { scope: "col" }, pinned.label))]
@@ -51,6 +56,6 @@ export class EnergyAccount {
       ),
     );
     const error = energy["error"];
-    this.#closing.textContent = error === undefined ? "" : `The account closes to ${number(error, 2)} of the largest energy.`;
+    this.#closing.textContent = error === undefined ? "" : `The account closes to ${number(error ?? NaN, 2)} of the largest energy.`;
   }
 }

@@ -38,14 +38,14 @@ export class Motion extends TimePanel {
     const look = lookOf(run.ports, this.#index);
     const trial = trialOf(scene);
     const curve = run.curve("y", this.#index, trial);
-    const behind = pinnedCurve(scene, "y", port, curve);
+    const behind = pinnedCurve(scene, "y", port);
     const largest = run.largest("y", this.#index, trial);
     const measure = new Measure(largest || 1, port.motion_unit);
     const says = (value: number) => measure.text(value);
-    this.#limits = this.#seenLimits(run, trial, Math.max(largest, behind ? extent([behind])[1] : 0));
+    this.#limits = this.#seenLimits(run, trial, Math.max(largest, behind ? extent([behind.values])[1] : 0));
 
     const lines: Line[] = [];
-    if (behind) lines.push({ label: scene.pinned!.label, token: look.token, values: behind, ...BEHIND, says });
+    if (behind) lines.push({ label: scene.pinned!.label, token: look.token, ...behind, ...BEHIND, says });
     if (run.picture.tracking) {
       const { values } = run.curve("reference", this.#index, trial);
       lines.push({ label: "reference", token: "reference", values, dash: [1.5, 2.5], says });

@@ -5,9 +5,11 @@ import { el, write } from "../../dom";
 import { quantity } from "../format";
 import { motionOf } from "../look";
 
+const MANY = 500; // trials, beyond which not each has a row
+
 export class PeaksTable {
   readonly root = el("div", { class: "unseen" });
-  #cells: HTMLTableCellElement[] = [];
+  #cells: { cell: HTMLTableCellElement; trial: number; port: number }[] = [];
   #made = "";
 
   fill(run: Run): void {
@@ -17,10 +19,10 @@ export class PeaksTable {
       this.#made = wanted;
       this.#el(run);
     }
-    this.#cells.forEach((cell, i) => {
-      const value = run.peaks[i]!;
+    this.#cells.forEach(({ cell, trial, port }) => {
+      const value = run.peak(trial, port);
       cell.dataset["value"] = String(value);
-      write(cell, quantity(value, ports[i % ports.length]!.motion_unit));
+      write(cell, quantity(value, ports[port]!.motion_unit));
     });
   }
 
@@ -32,12 +34,15 @@ export class PeaksTable {
       el("th", { scope: "col" }, "Trial"),
       ...ports.map((port) => el("th", { scope: "col" }, `Largest ${motionOf(port)}`)),
     );
-    const rows = Array.from({ length: trials }, (_, trial) => {
+    const every = Math.ceil(trials / MANY);
+    const listed = Array.from({ length: Math.ceil(trials / every) || 0 }, (_, row) => row * every);
+    if (trials > 0 && listed.at(-1) !== trials - 1) listed.push(trials - 1);
+    const rows = listed.map((trial) => {
       const cells = ports.map((port) => el("td", { "data-port": port.name, "data-trial": String(trial) }));
-      this.#cells.push(...cells);
+      this.#cells.push(...cells.map((cell, port) => ({ cell, trial, port })));
       return el("tr", {}, el("th", { scope: "row" }, String(trial)), ...cells);
     });
-    const caption = el("caption", {}, "Peaks of every trial");
+    const caption = el("caption", {}, every > 1 ? `Peaks of every ${every}th trial and of the last` : "Peaks of every trial");
     this.root.replaceChildren(el("table", { "data-role": "peaks" }, caption, el("thead", {}, head), el("tbody", {}, ...rows)));
   }
 }

@@ -91,10 +91,5 @@ export class Surface implements Panel {
 
 function fieldOf(run: Run, name: string, trial: number | null): Field {
   const { duration, trials } = run.picture;
-  const detail = trial === null ? null : run.trial(trial);
-  if (detail) return { values: detail.field(name), rows: detail.snapshots, end: duration };
-  const { values, rows, perTrial } = run.field(name);
-  if (trial === null) return { values, rows, end: duration * trials };
-  const size = perTrial * run.x.length;
-  return { values: values.subarray(trial * size, (trial + 1) * size), rows: perTrial, end: duration };
+  return { ...run.field(name, trial), place: run.x, end: trial === null ? duration * trials : duration };
 }

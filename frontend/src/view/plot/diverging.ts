@@ -1,5 +1,7 @@
 // A diverging map: blue below zero, the panel's own background at zero, red above.
 
+import type { Grid } from "./grid";
+
 type Colour = [number, number, number];
 
 const LIGHT: Colour[] = [
@@ -42,14 +44,21 @@ export function ramp(dark: boolean): Uint32Array {
   });
 }
 
-/** Rows of values (time, place) as an image with time to the right and place upwards. */
-export function paintField(image: ImageData, values: Float32Array, limit: number, colours: Uint32Array): void {
+/** Values (time, place) as an image with time to the right and place upwards. */
+export function paintField(image: ImageData, values: Float32Array, time: Grid, place: Grid, limit: number, colours: Uint32Array): void {
   const { width, height } = image;
   const pixels = new Uint32Array(image.data.buffer);
   const scale = limit > 0 ? (SIZE - 1) / (2 * limit) : 0;
   for (let column = 0; column < width; column++) {
+    const from = time.before[column]! * place.places;
+    const onward = time.share[column]!;
+    const to = onward > 0 ? from + place.places : from;
     for (let row = 0; row < height; row++) {
-      const level = (values[column * height + row]! + limit) * scale;
+      const [k, up] = [place.before[row]!, place.share[row]!];
+      const next = up > 0 ? k + 1 : k;
+      const now = values[from + k]! * (1 - up) + values[from + next]! * up;
+      const later = onward > 0 ? values[to + k]! * (1 - up) + values[to + next]! * up : now;
+      const level = (now + onward * (later - now) + limit) * scale;
       pixels[(height - 1 - row) * width + column] = colours[level < 0 ? 0 : level > SIZE - 1 ? SIZE - 1 : level | 0]!;
     }
   }

@@ -3,14 +3,19 @@
 import type uPlot from "uplot";
 import { describe, figure } from "../../dom";
 import type { Look } from "../look";
+import { nearest } from "../nearest";
 import { paintField } from "./diverging";
+import { type Grid, gridOf } from "./grid";
 import { Plot } from "./plot";
 
 export interface Field {
-  values: Float32Array; // rows of as many values as there are places
-  rows: number;
+  values: Float32Array; // a row for each time, of as many values as there are places
+  time: Float64Array;
+  place: Float32Array; // along the structure [m], which need not be even
   end: number; // of its time [s]
 }
+
+const [WIDEST, HIGHEST] = [2048, 256]; // of the image
 
 const NOTHING = new Float32Array(2).fill(NaN);
 
@@ -20,8 +25,9 @@ export class HeatMap {
   readonly #canvas = document.createElement("canvas");
   readonly #pen = this.#canvas.getContext("2d");
   #field: Field | null = null;
-  #span = 1;
   #image: ImageData | null = null;
+  #time: Grid | null = null;
+  #place: Grid | null = null;
 
   constructor(
     look: Look,
@@ -40,17 +46,17 @@ export class HeatMap {
   }
 
   draw(field: Field, span: number, end: number, limit: number, colours: Uint32Array, says: string): void {
-    if (field.rows === 0) return;
-    const places = field.values.length / field.rows;
-    if (!this.#image || this.#image.width !== field.rows || this.#image.height !== places) {
-      this.#canvas.width = field.rows;
-      this.#canvas.height = places;
-      this.#image = new ImageData(field.rows, places);
+    if (field.time.length === 0 || field.place.length === 0) return;
+    const [time, place] = [gridOf(field.time, WIDEST), gridOf(field.place, HIGHEST)];
+    const [width, height] = [time.before.length, place.before.length];
+    if (!this.#image || this.#image.width !== width || this.#image.height !== height) {
+      this.#canvas.width = width;
+      this.#canvas.height = height;
+      this.#image = new ImageData(width, height);
     }
-    paintField(this.#image, field.values, limit, colours);
+    paintField(this.#image, field.values, time, place, limit, colours);
     this.#pen?.putImageData(this.#image, 0, 0);
-    this.#field = field;
-    this.#span = span;
+    [this.#field, this.#time, this.#place] = [field, time, place];
     this.#plot.draw(Float64Array.of(0, end), [{ label: "", token: "ink", values: NOTHING }], { x: [0, end], y: [0, span] });
     describe(this.root, says);
   }
@@ -65,19 +71,25 @@ export class HeatMap {
 
   #hover(at: [number, number] | null, hovered: (value: number, time: number, place: number) => void): void {
     if (!at || !this.#field) return hovered(NaN, NaN, NaN);
-    const [time, place] = at;
-    const { values, rows, end } = this.#field;
-    const places = values.length / rows;
-    const row = Math.min(Math.floor((time / end) * rows), rows - 1);
-    const column = Math.min(Math.max(Math.round((place / this.#span) * (places - 1)), 0), places - 1);
-    hovered(values[row * places + column] ?? NaN, time, place);
+    // The value that is nearest, with its own time and place.
+    const { values, time, place } = this.#field;
+    const [row, column] = [nearest(time, at[0]), nearest(place, at[1])];
+    if (row < 0 || column < 0) return hovered(NaN, NaN, NaN);
+    hovered(values[row * place.length + column]!, time[row]!, place[column]!);
   }
 
   #under(plot: uPlot): void {
-    if (!this.#field) return;
+    if (!this.#field || !this.#time || !this.#place) return;
     const { ctx, bbox } = plot;
-    const right = plot.valToPos(this.#field.end, "x", true);
+    const [left, right] = [this.#time.low, this.#time.high].map((time) => plot.valToPos(time, "x", true)) as [number, number];
+    const [low, high] = [this.#place.low, this.#place.high].map((place) => plot.valToPos(place, "y", true)) as [number, number];
+    ctx.save();
+    ctx.beginPath();
+    // Half of what is centred on an edge lies beyond it.
+    ctx.rect(bbox.left, bbox.top, plot.valToPos(this.#field.end, "x", true) - bbox.left, bbox.height);
+    ctx.clip();
     ctx.imageSmoothingEnabled = true;
-    ctx.drawImage(this.#canvas, bbox.left, bbox.top, right - bbox.left, bbox.height);
+    ctx.drawImage(this.#canvas, left, high, right - left, low - high);
+    ctx.restore();
   }
 }

@@ -5,10 +5,9 @@ import type uPlot from "uplot";
 const NEAR = 0.3; // how far a left-out point may lie from the line [px]
 const COLUMN = 1.5; // points that share so much of the width are drawn as their extremes [CSS px]
 
-/** A path builder for uPlot. From each corner a line goes on for as long as it passes all points closely. */
-export function simplified(plot: uPlot, series: number, from: number, to: number): uPlot.Series.Paths {
+/** Values against rising times as a path for uPlot. From each corner a line goes on for as long as it passes all points closely. */
+export function simplified(plot: uPlot, times: Numbers, values: Numbers): uPlot.Series.Paths {
   const { bbox, scales } = plot;
-  const [times, values] = [plot.data[0], plot.data[series]!];
   const [low, high] = [scales["x"]!.min!, scales["x"]!.max!];
   const across = bbox.width / (high - low);
   const up = heights(plot);
@@ -16,10 +15,9 @@ export function simplified(plot: uPlot, series: number, from: number, to: number
   let [cornerX, cornerY, lastX, lastY] = [NaN, NaN, NaN, NaN];
   let [least, most] = [-Infinity, Infinity]; // slopes that pass all points since the corner
   let open = false;
-  for (const i of telling(times, values, from, to, (high - low) / (bbox.width / (COLUMN * devicePixelRatio)))) {
-    const value = values[i];
+  for (const i of telling(times, values, (high - low) / (bbox.width / (COLUMN * devicePixelRatio)))) {
     const x = bbox.left + (times[i]! - low) * across;
-    const y = value == null ? NaN : up(value);
+    const y = up(values[i]!);
     if (!Number.isFinite(y)) {
       if (open) stroke.lineTo(lastX, lastY);
       open = false;
@@ -43,17 +41,18 @@ export function simplified(plot: uPlot, series: number, from: number, to: number
   return { stroke, flags: 1 };
 }
 
-type Numbers = ArrayLike<number | null | undefined>;
+type Numbers = ArrayLike<number>;
 
 /** Which points to draw: where many share a column, only its lowest and its highest, in their order. */
-function telling(times: Numbers, values: Numbers, from: number, to: number, width: number): Iterable<number> {
-  const dense = (times[to]! - times[from]!) / (to - from) < width / 3;
+function telling(times: Numbers, values: Numbers, width: number): Iterable<number> {
+  const last = times.length - 1;
+  const dense = (times[last]! - times[0]!) / last < width / 3;
   const points: number[] = [];
-  for (let i = from; i <= to;) {
+  for (let i = 0; i <= last;) {
     const end = times[i]! + width;
     let [lowest, highest] = [i, i];
     const first = i++;
-    for (; dense && i <= to && times[i]! < end; i++) {
+    for (; dense && i <= last && times[i]! < end; i++) {
       if (values[i]! < values[lowest]!) lowest = i;
       if (values[i]! > values[highest]!) highest = i;
     }

@@ -7,6 +7,7 @@ import { powers, ticks, wholePowers } from "../format";
 import type { Look, Marker, Token } from "../look";
 import { Legend } from "./legend";
 import { drawMarkers } from "./markers";
+import { nearest } from "../nearest";
 import { simplified } from "./path";
 import { follow } from "./pointer";
 import { logMarks } from "./range";
@@ -15,6 +16,7 @@ export interface Line {
   label: string;
   token: Token;
   values: Float32Array | Float64Array;
+  time?: Float64Array; // of its values; left out: those of the plot
   dash?: number[];
   width?: number;
   alpha?: number;
@@ -43,6 +45,7 @@ export interface PlotOptions {
   over?: (plot: uPlot) => void; // painted after them
 }
 
+const NOTHING = new Float64Array(0);
 const FONT = '11px system-ui, -apple-system, "Segoe UI", sans-serif';
 const PAUSE = 120; // between two renewals of the legend [ms]
 const WHOLE = [1, 2, 5, 10, 20, 50, 100, 200, 500, 1000];
@@ -58,6 +61,7 @@ export class Plot {
   readonly #dot = el("div", { class: "dot", hidden: true });
   readonly #resizing: ResizeObserver;
   #plot: uPlot | null = null;
+  #x = NOTHING;
   #lines: Line[] = [];
   #made = ""; // the lines that the plot has been made for
   #scales: Scales = { x: [0, 1], y: [0, 1] };
@@ -79,10 +83,12 @@ export class Plot {
   }
 
   draw(x: Float64Array, lines: Line[], scales: Scales): void {
+    this.#x = x;
     this.#lines = lines;
     this.#scales = scales;
-    const data = [x, ...lines.map((line) => line.values)] as uPlot.AlignedData;
-    const wanted = JSON.stringify(lines.map(({ values: _, ...line }) => line));
+    // A line with times of its own is drawn from these, past uPlot, which knows one row of times only.
+    const data = [x, ...lines.map((line) => (line.time ? NOTHING : line.values))] as uPlot.AlignedData;
+    const wanted = JSON.stringify(lines.map(({ values: _, time: __, ...line }) => line));
     if (!this.#plot || wanted !== this.#made) {
       this.#made = wanted;
       this.#plot = this.#el(data);
@@ -129,11 +135,14 @@ export class Plot {
   #read(): void {
     clearTimeout(this.#readout);
     this.#readout = 0;
-    if (this.#plot && !this.#hovered) this.#write(this.#cursor === null ? null : this.#plot.valToIdx(this.#cursor));
+    if (this.#plot && !this.#hovered) this.#write(this.#cursor);
   }
 
-  #write(index: number | null | undefined): void {
-    this.legend.write(this.#lines.map((line) => (index == null || !line.says ? "" : line.says(line.values[index] ?? NaN))));
+  /** Each line's own value that is nearest. */
+  #write(x: number | null): void {
+    const says = ({ says, time, values }: Line) =>
+      x === null || !says ? "" : says(values[nearest(time ?? this.#x, x)] ?? NaN);
+    this.legend.write(this.#lines.map(says));
   }
 
   #el(data: uPlot.AlignedData): uPlot {
@@ -204,7 +213,10 @@ export class Plot {
       width: line.width ?? 1.4,
       dash: line.dash ?? [],
       alpha: line.alpha ?? 1,
-      paths: simplified,
+      paths: (plot, series) => {
+        const { time, values } = this.#lines[series - 1]!;
+        return simplified(plot, time ?? this.#x, values);
+      },
       points: { show: false },
     };
   }
@@ -224,7 +236,7 @@ export class Plot {
     if (!hovered && !this.#hovered) return;
     this.#hovered = hovered;
     this.#options.hover?.(hovered ? [plot.posToVal(left, "x"), plot.posToVal(top, "y")] : null);
-    if (hovered) this.#write(index);
+    if (hovered) this.#write(this.#x[index] ?? null);
     else this.#read();
   }
 }

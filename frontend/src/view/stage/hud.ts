@@ -14,6 +14,7 @@ interface Row {
 
 export class Hud {
   readonly root = el("div", { class: "hud" });
+  readonly #name = el("p", { class: "hud-name" });
   readonly #trial = el("p", { class: "hud-trial" });
   readonly #time = el("p", { class: "hud-time" });
   readonly #note = el("p", { class: "hud-note" });
@@ -25,7 +26,12 @@ export class Hud {
   #efforts: Measure[] = [];
 
   constructor() {
-    this.root.append(el("div", {}, this.#trial, this.#time, this.#note), this.#table);
+    this.root.append(el("div", { class: "hud-words" }, this.#name, this.#trial, this.#time, this.#note), this.#table);
+  }
+
+  name(text: string): void {
+    write(this.#name, text);
+    this.#name.title = text;
   }
 
   show({ run, trial, time }: Scene, note: string): void {

@@ -26,8 +26,10 @@ interface Actor {
 }
 
 /** What a model is made for: runs that agree in it share one. */
-export function modelKey({ picture, x }: Run): string {
-  return JSON.stringify([picture.ports, picture.fields, picture.span, picture.tip, picture.clamped, x.length]);
+export function modelKey(run: Run): string {
+  const { ports, fields, span, tip, clamped } = run.picture;
+  const limits = ports.map((_, index) => limited(run, index));
+  return JSON.stringify([ports, fields, span, tip, clamped, limits, [...run.x]]);
 }
 
 export class Model {
@@ -45,7 +47,7 @@ export class Model {
     const { ports, span, tip, clamped } = run.picture;
     this.#paints = paints;
     this.#scale = LENGTH / span;
-    this.shape = new Shape(run);
+    this.shape = new Shape(run, this.#scale);
     this.#beam = this.shape.bends ? new Beam(this.shape, paints) : null;
     this.#base = base(clamped, paints);
     const size = THICKNESS * Math.min(3, 1.25 + 0.65 * Math.cbrt(tip.mass));
@@ -91,14 +93,14 @@ export class Model {
       const low = trial.at("low", index, time);
       const high = trial.at("high", index, time);
       walls?.take(low * factor * this.#scale, high * factor * this.#scale);
-      wedge?.take(x, height, Math.atan(factor * low), Math.atan(factor * high), Math.atan(factor * trial.at("y", index, time)));
+      wedge?.take(x, height, factor * low, factor * high, factor * trial.at("y", index, time));
       dot?.position.set(x, height, 0);
     }
   }
 
-  /** Whether there are walls, and all of them out of sight. */
+  /** Whether there are limits of displacements, and all of them out of sight. */
   get beyond(): boolean {
-    const walls = this.#actors.flatMap((actor) => actor.walls ?? []);
+    const walls = this.#actors.flatMap((actor) => (actor.walls?.limited ? actor.walls : []));
     return walls.length > 0 && !walls.some(({ seen }) => seen);
   }
 
@@ -111,7 +113,7 @@ export class Model {
     }
     if (!run) return;
     if (!this.#ghost) {
-      const shape = new Shape(run);
+      const shape = new Shape(run, this.#scale); // metres are as large as those of the run in front
       if (!shape.bends) return;
       this.#ghost = { run, shape, outline: new Ghost(shape, this.#paints) };
       this.group.add(this.#ghost.outline.line);
@@ -140,5 +142,5 @@ export class Model {
 }
 
 function limited(run: Run, index: number): boolean {
-  return run.largest("low", index, null) > 0 || run.largest("high", index, null) > 0;
+  return run.bounded("low", index) || run.bounded("high", index);
 }

@@ -13,16 +13,20 @@ export class Shape {
 
   readonly #displacement: string | null;
   readonly #rotation: string | null;
-  readonly #scale: number; // stage units in a metre
+  readonly #across: number; // stage units in a metre of deflection
+  readonly #tilt: number; // how many times as steep a slope is drawn for being as long as the stage
 
-  constructor(run: Run) {
+  /** `across`: stage units in a metre of deflection. Along, every structure is as long as the stage. */
+  constructor(run: Run, across: number) {
     const { fields, span } = run.picture;
-    this.#scale = LENGTH / span;
+    const along = LENGTH / span;
+    this.#across = across;
+    this.#tilt = across / along;
     this.#displacement = fields.find(({ unit }) => unit === "m")?.name ?? null;
     this.#rotation = fields.find(({ unit }) => unit === "rad")?.name ?? null;
     this.bends = this.#displacement !== null && run.x.length > 1;
     this.turns = this.bends && this.#rotation !== null;
-    this.x = this.bends ? run.x.map((x) => x * this.#scale) : Float32Array.of(0, LENGTH);
+    this.x = this.bends ? run.x.map((x) => x * along) : Float32Array.of(0, LENGTH);
     this.y = new Float32Array(this.x.length);
     this.angle = new Float32Array(this.x.length);
   }
@@ -32,10 +36,10 @@ export class Shape {
     if (!this.#displacement || !this.bends) return;
     const { x, y, angle } = this;
     trial.shape(this.#displacement, time, y);
-    for (let i = 0; i < y.length; i++) y[i]! *= factor * this.#scale;
+    for (let i = 0; i < y.length; i++) y[i]! *= factor * this.#across;
     if (this.#rotation) {
       trial.shape(this.#rotation, time, angle);
-      for (let i = 0; i < angle.length; i++) angle[i] = Math.atan(factor * angle[i]!);
+      for (let i = 0; i < angle.length; i++) angle[i] = Math.atan(factor * this.#tilt * angle[i]!);
       return;
     }
     const last = y.length - 1;

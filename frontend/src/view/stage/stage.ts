@@ -4,6 +4,7 @@ import { DirectionalLight, HemisphereLight, Scene as World, WebGLRenderer } from
 import { describe, el } from "../../dom";
 import { Measure } from "../format";
 import type { Look } from "../look";
+import type { Run } from "../../run";
 import type { Scene } from "../scene";
 import type { Trial } from "../trial";
 import { Viewer } from "./camera";
@@ -23,7 +24,8 @@ export class Stage {
   readonly #renderer: WebGLRenderer | null;
   readonly #viewer: Viewer | null = null;
   #model: Model | null = null;
-  #made = "";
+  #prepared: Run | null = null;
+  #made = ""; // the key of the model
   #scene: Scene | null = null;
   #factor = 1;
   #chosen = 0; // exaggeration, 0 for the one that fits
@@ -66,6 +68,11 @@ export class Stage {
     this.#numbers ||= numbers;
     this.#chosen = exaggeration;
     this.#ask();
+  }
+
+  /** What is said of the run where it is named. */
+  name(text: string): void {
+    this.#hud.name(text);
   }
 
   repaint(): void {
@@ -111,6 +118,8 @@ export class Stage {
   }
 
   #prepare({ run }: Scene): void {
+    if (run === this.#prepared) return;
+    this.#prepared = run;
     const key = modelKey(run);
     if (key === this.#made) return;
     this.#made = key;

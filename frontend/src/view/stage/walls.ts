@@ -13,6 +13,7 @@ export class Walls {
   readonly #low: Group;
   readonly #high: Group;
   readonly #gap: number;
+  #limited = false;
 
   /** `gap`: half the height of what must not touch them. */
   constructor(x: number, gap: number, paints: Paints) {
@@ -23,12 +24,18 @@ export class Walls {
     this.group.position.x = x;
   }
 
+  /** Whether there is a limit at the moment. */
+  get limited(): boolean {
+    return this.#limited;
+  }
+
   get seen(): boolean {
     return [this.#low, this.#high].some(({ visible, position }) => visible && Math.abs(position.y) < SEEN);
   }
 
-  /** Limits in stage units. */
+  /** Limits in stage units; what is infinite is no limit. */
   take(low: number, high: number): void {
+    this.#limited = Number.isFinite(low) || Number.isFinite(high);
     place(this.#low, low - this.#gap);
     place(this.#high, high + this.#gap);
   }

@@ -11,22 +11,27 @@ const [INNER, OUTER, POINTS] = [0.95, 1.55, 33];
 export class Wedge {
   readonly group = new Group();
   readonly #rim = new BufferGeometry();
+  readonly #line: Line;
   readonly #needle: Group = new Group();
 
   constructor(paints: Paints) {
     this.#rim.setAttribute("position", moving(POINTS + 2));
-    const rim = new Line(this.#rim, paints.limit);
-    rim.frustumCulled = false;
+    this.#line = new Line(this.#rim, paints.limit);
+    this.#line.frustumCulled = false;
     this.#needle.add(lines([0.3, 0, 0, OUTER - 0.08, 0, 0], paints.needle));
-    this.group.add(rim, this.#needle);
+    this.group.add(this.#line, this.#needle);
     this.group.position.z = DEPTH / 2 + 0.1;
   }
 
-  /** Drawn angles. */
-  take(x: number, y: number, low: number, high: number, angle: number): void {
+  /** Tangents of the drawn angles; a limit that is infinite is none, and one alone is a single stroke. */
+  take(x: number, y: number, lowest: number, highest: number, slope: number): void {
     this.group.position.x = x;
     this.group.position.y = y;
-    this.#needle.rotation.z = angle;
+    this.#needle.rotation.z = Math.atan(slope);
+    const [bounded, capped] = [Number.isFinite(lowest), Number.isFinite(highest)];
+    this.#line.visible = bounded || capped;
+    this.#rim.setDrawRange(bounded ? 0 : POINTS, bounded && capped ? POINTS + 2 : 2);
+    const [low, high] = [Math.atan(lowest), Math.atan(highest)];
     const rim = this.#rim.getAttribute("position");
     const point = (k: number, radius: number, at: number) => rim.setXYZ(k, radius * Math.cos(at), radius * Math.sin(at), 0);
     point(0, INNER, low);
