@@ -1,7 +1,7 @@
 // A run as the page holds it: its overview, and the details of the trials that have come so far.
 
 import type { Detail, Framed, Picture, Port } from "./protocol";
-import { Trial } from "./view/trial";
+import { type Times, Trial } from "./view/trial";
 
 const HELD = 48e6; // bytes of details; beyond it those farthest from the trial being looked at go
 
@@ -23,7 +23,7 @@ export class Run {
   looked = 0; // the trial being looked at
 
   readonly #frame: Framed<Picture>;
-  readonly #snapshots: Float64Array; // their times in a trial [s]
+  readonly #timesInTrial: Times;
   readonly #details = new Map<number, Trial>();
   readonly #columns = new Map<string, Float32Array>();
   readonly #largest = new Map<string, number>();
@@ -34,7 +34,12 @@ export class Run {
     this.#frame = frame;
     this.picture = frame.header;
     this.peaks = frame.array("peaks") as Float64Array;
-    this.#snapshots = Float64Array.from(frame.array("time_out"));
+    const { steps, step } = this.picture;
+    this.#timesInTrial = {
+      steps: Float64Array.from({ length: steps + 1 }, (_, i) => i * step),
+      middles: Float64Array.from({ length: steps }, (_, i) => (i + 0.5) * step),
+      snapshots: Float64Array.from(frame.array("time_out")),
+    };
     this.looked = this.picture.trial;
     if (frame.has("y")) this.#keep(this.picture.trial, frame); // a run that broke off in its first trial may have none
   }
@@ -110,7 +115,7 @@ export class Run {
   /** A field at the snapshots of a trial, or over all trials: rows of X values, and their times. */
   field(name: string, trial: number | null): { values: Float32Array; time: Float64Array } {
     const detail = trial === null ? null : this.#details.get(trial);
-    if (detail) return { values: detail.field(name), time: this.#snapshots };
+    if (detail) return { values: detail.field(name), time: this.#timesInTrial.snapshots };
     const [, columns = 0] = this.#frame.shape(`all.${name}`);
     const [time, values] = [this.#columnTime(columns), this.#frame.array(`all.${name}`) as Float32Array];
     if (trial === null) return { values, time };
@@ -158,11 +163,12 @@ export class Run {
 
   /** Times of a field's columns, each in the middle of its snapshots. */
   #columnTime(columns: number): Float64Array {
-    const length = Math.ceil(this.#snapshots.length / columns);
+    const { snapshots } = this.#timesInTrial;
+    const length = Math.ceil(snapshots.length / columns);
     return this.#inAllTrials(`columns.${columns}`, () =>
       Float64Array.from({ length: columns }, (_, column) => {
-        const last = Math.min((column + 1) * length, this.#snapshots.length) - 1;
-        return (this.#snapshots[column * length]! + this.#snapshots[last]!) / 2;
+        const last = Math.min((column + 1) * length, snapshots.length) - 1;
+        return (snapshots[column * length]! + snapshots[last]!) / 2;
       }),
     );
   }
@@ -181,7 +187,7 @@ export class Run {
   }
 
   #keep(trial: number, frame: Framed<Picture> | Framed<Detail>): void {
-    const detail = new Trial(frame, this.picture, this.#snapshots);
+    const detail = new Trial(frame, this.picture, this.#timesInTrial);
     this.#held += detail.bytes - (this.#details.get(trial)?.bytes ?? 0);
     this.#details.set(trial, detail);
   }

@@ -60,7 +60,12 @@ export class Bar {
     this.unpin = button("Unpin", actions.unpin);
     this.beside = button("Beside no control", actions.beside, "Pin the same experiment without control");
 
-    const file = el("input", { type: "file", accept: ".toml,.nc,.zip", hidden: true, "aria-label": "Open a scenario or a result" });
+    const file = el("input", {
+      type: "file",
+      accept: ".toml,.nc,.zip",
+      hidden: true,
+      "aria-label": "Open a scenario or a result",
+    });
     file.addEventListener("change", () => {
       const [chosen] = file.files ?? [];
       if (chosen) actions.open(chosen);

@@ -29,8 +29,7 @@ export class Status {
 
   /** Something has been asked for: says so if the answer takes its time. What stood in the banner is over. */
   expect(): void {
-    clearTimeout(this.timer);
-    this.timer = window.setTimeout(() => this.say("Running."), PATIENCE);
+    this.timer ||= window.setTimeout(() => this.say("Running."), PATIENCE);
     this.verdict.classList.add("pending");
     this.tell("");
   }
@@ -44,6 +43,7 @@ export class Status {
   /** One sentence, read aloud when the reader is free. */
   say(text: string, bad = false): void {
     clearTimeout(this.timer);
+    this.timer = 0;
     this.sentence.classList.toggle("bad", bad);
     write(this.sentence, text);
   }

@@ -29,7 +29,7 @@ export class Transport {
   readonly #time = el("span", { class: "time" });
   readonly #speed = el(
     "select",
-    {},
+    { "aria-label": "Speed" }, // the word beside it is not seen on a telephone
     ...SPEEDS.map(([value, text]) => el("option", { value: String(value) }, `${text} × real time`)),
   );
   readonly #trial = el("input", { type: "range", min: "0", step: "1", "aria-label": "Trial" });
@@ -87,10 +87,10 @@ export class Transport {
   show(scene: Scene, playing: boolean, speed: number): void {
     const { run, trial, span } = scene;
     const { trials, duration, steps } = run.picture;
-    const snapshots = Math.max(1, (run.trial(trial)?.snapshots || steps + 1) - 1);
+    const stops = Math.max(1, (run.trial(trial)?.stops.length ?? steps + 1) - 1);
     const end = endOf({ ...scene, pinned: null });
     set(this.#scrub, "max", String(end));
-    set(this.#scrub, "step", String(duration / snapshots));
+    set(this.#scrub, "step", String(duration / stops));
     set(this.#scrub, "value", String(cursorOf(scene)));
     set(this.#trial, "max", String(trials - 1));
     set(this.#trial, "value", String(trial));

@@ -4,6 +4,13 @@ import { lastUpTo } from "./nearest";
 import type { Detail, Framed, Picture } from "../protocol";
 import { type Curve, isHeld, type Signal } from "../run";
 
+/** Times in a trial [s], the same in all trials of a run. */
+export interface Times {
+  readonly steps: Float64Array;
+  readonly middles: Float64Array; // of the steps
+  readonly snapshots: Float64Array;
+}
+
 export class Trial {
   readonly bytes: number;
   /** Where time can stop: at the snapshots of the fields, or where there are none at every step [s]. */
@@ -12,17 +19,14 @@ export class Trial {
   readonly #frame: Framed<Picture> | Framed<Detail>;
   readonly #picture: Picture;
   readonly #columns = new Map<string, Float32Array>();
-  readonly #time: Float64Array;
-  readonly #middles: Float64Array; // of the steps
+  readonly #times: Times;
 
-  /** `snapshots`: their times [s]. */
-  constructor(frame: Framed<Picture> | Framed<Detail>, picture: Picture, snapshots: Float64Array) {
+  constructor(frame: Framed<Picture> | Framed<Detail>, picture: Picture, times: Times) {
     this.#frame = frame;
     this.#picture = picture;
-    this.#time = Float64Array.from({ length: picture.steps + 1 }, (_, step) => step * picture.step);
-    this.#middles = Float64Array.from({ length: picture.steps }, (_, step) => (step + 0.5) * picture.step);
+    this.#times = times;
     const first = picture.fields[0];
-    this.stops = first && frame.has(first.name) ? snapshots : this.#time;
+    this.stops = first && frame.has(first.name) ? times.snapshots : times.steps;
     this.bytes = Object.entries(frame.header.arrays)
       .filter(([name]) => !name.startsWith("all."))
       .reduce((sum, [, { type, shape }]) => sum + shape.reduce((size, n) => size * n, type === "f4" ? 4 : 8), 0);
@@ -42,7 +46,7 @@ export class Trial {
   }
 
   curve(name: Signal | "barrier", port: number): Curve {
-    return { time: isHeld(name) ? this.#middles : this.#time, values: this.column(name, port) };
+    return { time: isHeld(name) ? this.#times.middles : this.#times.steps, values: this.column(name, port) };
   }
 
   /** A signal at a time [s], linear between its own times. */

@@ -8,20 +8,20 @@ type Review = Extract<Said, { say: "review" }>;
 const ORDER = { FAIL: 0, PASS: 1, note: 2, "n/a": 3 };
 
 export class Verdicts {
-  readonly #root: HTMLElement;
+  readonly #root = el("div", { class: "verdicts" });
 
-  constructor(root: HTMLElement) {
-    this.#root = root;
-    root.classList.add("verdicts");
+  constructor(place: HTMLElement) {
+    place.append(this.#root);
   }
 
   show(review: Review | null): void {
-    this.#root.classList.toggle("pending", review === null);
     this.#root.setAttribute("aria-busy", String(review === null));
     if (review === null) {
       if (!this.#root.firstChild) this.#root.append(el("p", { class: "faint" }, "The run is being reviewed …"));
+      else this.#root.dataset["stale"] = "Of the run before";
       return;
     }
+    delete this.#root.dataset["stale"];
     const open = new Set(
       [...this.#root.querySelectorAll<HTMLDetailsElement>("details[data-section]")]
         .filter((group) => group.open)

@@ -1,25 +1,19 @@
 // Stage, transport, panels and verdicts over one run, with one time for all of them.
 
-import type { Said, Schema } from "../protocol";
+import type { Said } from "../protocol";
 import type { Run } from "../run";
 import { instantOf, later } from "./clock";
 import { Look } from "./look";
 import { Panels } from "./panels/panels";
-import { type Pinned, type Scene, type Span } from "./scene";
+import { lastUpTo } from "./nearest";
+import type { Pinned, Scene } from "./scene";
 import { onKeys } from "./shortcuts";
 import { Stage } from "./stage/stage";
+import { Mark, type Standing } from "./standing";
+import { initial, type ViewState } from "./state";
 import { Transport } from "./transport";
 import { Verdicts } from "./verdicts";
 import "./view.css";
-
-export interface ViewState {
-  trial: number;
-  time: number; // within the trial [s]
-  exaggeration: number; // 0: as fits
-  speed: number; // in real time
-  span: Span;
-  playing: boolean;
-}
 
 export interface ViewEvents {
   trial(trial: number): void; // another trial is being looked at
@@ -34,7 +28,9 @@ export interface Places {
 }
 
 const PAUSE = 60; // between two renewals of the numbers while playing [ms]
+const HAIR = 1e-6; // of a trial
 const FRAME = 0.1; // a longer pause between two frames does not let time jump [s]
+const BUSY = 3; // of so many frames one is drawn while an answer is waited for: its own drawing needs the processor
 
 export class View {
   readonly #events: ViewEvents;
@@ -43,18 +39,20 @@ export class View {
   readonly #transport: Transport;
   readonly #panels: Panels;
   readonly #verdicts: Verdicts;
-  readonly #state: ViewState;
+  readonly #mark: Mark;
+  readonly #state = initial();
   readonly #complete = new WeakSet<Run>(); // runs that are drawn with the detail of the trial being looked at
   #run: Run | null = null;
+  #label = ""; // of the run
+  #busy = false; // whether an answer is waited for
+  #frames = 0; // since one was drawn
   #pinned: Pinned | null = null;
   #tick = 0; // animation frame while playing
   #last = 0; // its time [ms]
   #said = -Infinity; // when numbers were last renewed while playing [ms]
 
-  constructor(places: Places, _schema: Schema, events: ViewEvents) {
+  constructor(places: Places, events: ViewEvents) {
     this.#events = events;
-    const still = matchMedia("(prefers-reduced-motion: reduce)").matches;
-    this.#state = { trial: 0, time: 0, exaggeration: 0, speed: 0.25, span: "trial", playing: !still };
     const seek = (time: number) => this.#seek(time);
     const jump = (trial: number) => this.#jump(trial);
     const step = (by: 1 | -1) => this.#step(by);
@@ -70,6 +68,7 @@ export class View {
     });
     this.#panels = new Panels(places.panels, { look: this.#look, seek, jump });
     this.#verdicts = new Verdicts(places.verdicts);
+    this.#mark = new Mark([places.stage, places.panels, places.verdicts], (text) => this.#stage.name(text));
     onKeys({
       " ": () => play(!this.#state.playing),
       ",": () => step(-1),
@@ -87,9 +86,16 @@ export class View {
     this.#take(state);
   }
 
+  /** How the run that is drawn stands to the scenario. While the scenario's own is to come, time is drawn less often. */
+  stand(standing: Standing): void {
+    this.#stand(standing, false);
+  }
+
   /** The current run; resolves in the animation frame after everything has been redrawn. */
-  async show(run: Run): Promise<void> {
+  async show(run: Run, label: string, standing: Standing): Promise<void> {
     this.#run = run;
+    this.#label = label;
+    this.#stand(standing, true);
     this.#take({}, true);
     if (!document.hidden) await new Promise((resolve) => requestAnimationFrame(resolve));
   }
@@ -117,6 +123,13 @@ export class View {
     this.#panels.repaint();
   }
 
+  #stand(standing: Standing, fresh: boolean): void {
+    const busy = standing === "coming";
+    if (busy && !this.#busy) this.#frames = -BUSY; // most answers come within the first few frames
+    this.#busy = busy;
+    this.#mark.show(standing, this.#label, fresh);
+  }
+
   #scene(): Scene | null {
     const { trial, time, span } = this.#state;
     return this.#run && { run: this.#run, pinned: this.#pinned, trial, time, span };
@@ -135,12 +148,13 @@ export class View {
   }
 
   #step(by: 1 | -1): void {
-    if (!this.#run) return;
-    const { trials, duration, steps } = this.#run.picture;
-    const between = Math.max(1, (this.#run.trial(this.#state.trial)?.snapshots || steps + 1) - 1);
-    const snapshot = Math.round((this.#state.time / duration) * between) + by;
-    const within = snapshot >= 0 && snapshot <= between;
-    if (within) this.#change({ playing: false, time: (snapshot / between) * duration });
+    const stops = this.#run?.trial(this.#state.trial)?.stops;
+    if (!this.#run || !stops) return;
+    const { trials, duration } = this.#run.picture;
+    const hair = HAIR * duration; // times are rounded differently
+    const next = by > 0 ? lastUpTo(stops, this.#state.time + hair) + 1 : lastUpTo(stops, this.#state.time - hair);
+    const time = stops[next];
+    if (time !== undefined) this.#change({ playing: false, time });
     else
       this.#change({
         playing: false,
@@ -207,6 +221,11 @@ export class View {
     this.#tick = 0;
     const run = this.#run;
     if (!run || !this.#state.playing) return;
+    if (this.#busy && ++this.#frames < BUSY) {
+      this.#tick = requestAnimationFrame((next) => this.#frame(next));
+      return;
+    }
+    this.#frames = 0;
     const seconds = Math.min(Math.max(now - this.#last, 0) / 1000, FRAME) * this.#state.speed;
     this.#last = now;
     const { trials, duration } = run.picture;

@@ -56,6 +56,7 @@ export class EnergyAccount {
       ),
     );
     const error = energy["error"];
-    this.#closing.textContent = error === undefined ? "" : `The account closes to ${number(error ?? NaN, 2)} of the largest energy.`;
+    this.#closing.textContent =
+      error === undefined ? "" : `The account closes to ${number(error ?? NaN, 2)} of the largest energy.`;
   }
 }

@@ -42,7 +42,7 @@ export class PeaksTable {
       this.#cells.push(...cells.map((cell, port) => ({ cell, trial, port })));
       return el("tr", {}, el("th", { scope: "row" }, String(trial)), ...cells);
     });
-    const caption = el("caption", {}, every > 1 ? `Peaks of every ${every}th trial and of the last` : "Peaks of every trial");
+    const caption = el("caption", {}, every > 1 ? `Peaks of one trial in ${every}, and of the last` : "Peaks of every trial");
     this.root.replaceChildren(el("table", { "data-role": "peaks" }, caption, el("thead", {}, head), el("tbody", {}, ...rows)));
   }
 }

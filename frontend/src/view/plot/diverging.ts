@@ -45,7 +45,14 @@ export function ramp(dark: boolean): Uint32Array {
 }
 
 /** Values (time, place) as an image with time to the right and place upwards. */
-export function paintField(image: ImageData, values: Float32Array, time: Grid, place: Grid, limit: number, colours: Uint32Array): void {
+export function paintField(
+  image: ImageData,
+  values: Float32Array,
+  time: Grid,
+  place: Grid,
+  limit: number,
+  colours: Uint32Array,
+): void {
   const { width, height } = image;
   const pixels = new Uint32Array(image.data.buffer);
   const scale = limit > 0 ? (SIZE - 1) / (2 * limit) : 0;

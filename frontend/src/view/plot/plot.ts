@@ -61,7 +61,7 @@ export class Plot {
   readonly #dot = el("div", { class: "dot", hidden: true });
   readonly #resizing: ResizeObserver;
   #plot: uPlot | null = null;
-  #x = NOTHING;
+  #x: Float64Array = NOTHING;
   #lines: Line[] = [];
   #made = ""; // the lines that the plot has been made for
   #scales: Scales = { x: [0, 1], y: [0, 1] };
@@ -140,8 +140,7 @@ export class Plot {
 
   /** Each line's own value that is nearest. */
   #write(x: number | null): void {
-    const says = ({ says, time, values }: Line) =>
-      x === null || !says ? "" : says(values[nearest(time ?? this.#x, x)] ?? NaN);
+    const says = ({ says, time, values }: Line) => (x === null || !says ? "" : says(values[nearest(time ?? this.#x, x)] ?? NaN));
     this.legend.write(this.#lines.map(says));
   }
 

@@ -26,7 +26,7 @@ export class Hud {
   #efforts: Measure[] = [];
 
   constructor() {
-    this.root.append(el("div", { class: "hud-words" }, this.#name, this.#trial, this.#time, this.#note), this.#table);
+    this.root.append(this.#name, el("div", {}, this.#trial, this.#time, this.#note), this.#table);
   }
 
   name(text: string): void {

@@ -5,7 +5,7 @@ import type { Paints } from "./paints";
 import { DEPTH } from "./size";
 import { hatch, lines } from "./solid";
 
-const SEEN = 3.4; // about where the stage ends
+const SEEN = 3.6; // about where the stage ends
 const [WIDTH, HEIGHT, ACROSS] = [2.6, 0.09, 1.5 * DEPTH];
 
 export class Walls {
