@@ -137,9 +137,15 @@ def check(cls: type, values: Mapping[str, Any]) -> dict[str, Any]:
     return {name: getattr(model, name) for name in values}
 
 
+@cache
+def hints_of(cls: type) -> Mapping[str, Any]:
+    """The type hints of a class, `Annotated` and all; found once, since finding them takes as long as checking a scenario."""
+    return get_type_hints(cls, include_extras=True)
+
+
 def parameters(cls: type) -> list[Parameter]:
     """Name, type, default, unit, range and meaning of every parameter of a component class."""
-    hints = get_type_hints(cls, include_extras=True)
+    hints = hints_of(cls)
     found = []
     for f in fields(cls):
         base, extras = split_hint(hints[f.name])
@@ -179,7 +185,7 @@ def _model(cls: type) -> type[BaseModel]:
         return hint
 
     config = pydantic.ConfigDict(strict=True, extra="forbid", allow_inf_nan=False, arbitrary_types_allowed=True)
-    hints = get_type_hints(cls, include_extras=True)
+    hints = hints_of(cls)
     declared: dict[str, Any] = {}
     for f in fields(cls):
         base, extras = split_hint(hints[f.name])

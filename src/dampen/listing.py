@@ -4,9 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import fields
-from typing import get_type_hints
 
-from dampen.component import ArgumentError, Component, Parameter, parameters, split_hint, suggestion
+from dampen.component import ArgumentError, Component, Parameter, hints_of, parameters, split_hint, suggestion
 from dampen.scenarios.kinds import KINDS
 from dampen.scenarios.read import TABLES, shipped, table_of
 from dampen.toml import literal
@@ -47,7 +46,7 @@ def _scenarios() -> list[str]:
 
 
 def _rows(cls: type[Component], prefix: str = "") -> list[str]:
-    rows, hints = [], get_type_hints(cls, include_extras=True)
+    rows, hints = [], hints_of(cls)
     inner = {f.name: split_hint(hints[f.name])[0] for f in fields(cls)}
     for p in parameters(cls):
         if isinstance(inner[p.name], type) and issubclass(inner[p.name], Component):

@@ -125,7 +125,6 @@ export class View {
 
   #stand(standing: Standing, fresh: boolean): void {
     const busy = standing === "coming";
-    if (busy && !this.#busy) this.#frames = -BUSY; // most answers come within the first few frames
     this.#busy = busy;
     this.#mark.show(standing, this.#label, fresh);
   }

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import time
-from collections import OrderedDict
 from collections.abc import Callable, Mapping
 from dataclasses import replace
 from typing import TYPE_CHECKING, Any
@@ -19,13 +18,13 @@ from dampen.simulation.compose import is_ready
 from dampen.simulation.result import Result
 from dampen.simulation.scenario import Scenario
 from dampen.simulation.trials import simulate
-from dampen.toml import to_toml
 
 if TYPE_CHECKING:
     from dampen.analysis.audit.audit import Audit
 
 Say = Callable[[bytes | Mapping[str, Any]], None]
 BENCHES = 4
+SET_UP = ("plant", "disturbance", "task", "sampling", "numerics", "output")  # what a bench depends on
 REST, TICK = 0.2, 0.01  # seconds
 STREAMED = 32 * 2**20  # bytes of trials that follow a picture; the page asks for others as it needs them
 COMPILING = "Compiling the simulation kernel for this kind of experiment: once, some ten seconds."
@@ -44,7 +43,7 @@ class Desk:
 
     def __init__(self, say: Say, newer: Callable[[], bool]):
         self.say, self.newer = say, newer
-        self.benches: OrderedDict[str, Bench] = OrderedDict()
+        self.benches: list[Bench] = []  # the latest last
 
     def run(self, id: int, table: object, trial: int, trust: Trust) -> None:
         """Run a scenario and show it."""
@@ -110,14 +109,14 @@ class Desk:
 
     def bench(self, scenario: Scenario) -> Bench:
         """The set-up for a scenario: one that differs in its controller and actuators only has it ready."""
-        key = to_toml(replace(scenario, controller=NoControl(), actuators={}, compensation={}, claims=None, bounds={}))
-        if key not in self.benches:
-            self.benches[key] = Bench(scenario)
-            while len(self.benches) > BENCHES:
-                self.benches.popitem(last=False)
-        self.benches.move_to_end(key)
-        self.benches[key].check_start(scenario)
-        return self.benches[key]
+        found = next((bench for bench in self.benches if serves(bench.scenario, scenario)), None)
+        if found is None:
+            found = Bench(scenario)
+        else:
+            self.benches.remove(found)
+        self.benches = [*self.benches[-BENCHES + 1 :], found]
+        found.check_start(scenario)
+        return found
 
     def breathe(self) -> None:
         """Let the page draw: what follows comes when the hand on the slider rests."""
@@ -130,6 +129,11 @@ class Desk:
         """Leave what is being done if something newer waits."""
         if self.newer():
             raise Left
+
+
+def serves(one: Scenario, other: Scenario) -> bool:
+    """Whether the set-up of one scenario is that of the other."""
+    return all(getattr(one, part) == getattr(other, part) for part in SET_UP)
 
 
 def claim_row(claim: Claim) -> dict[str, str]:

@@ -18,6 +18,7 @@ LENGTH = struct.Struct("<I")
 GRACE = 0.25  # seconds that a run may go on although its own page wants a newer one: most are done by then
 IDLE = 30.0  # seconds after which a worker that nobody uses is ended
 MOST = 4
+FRAME = 4 * 2**20  # bytes that are read ahead of a process: more than a picture has
 
 Said = bytes | str
 Deliver = Callable[[Said], Awaitable[None]]
@@ -73,6 +74,7 @@ class Worker:
                 self.process = await asyncio.create_subprocess_exec(
                     sys.executable, "-P", "-m", "dampen.lab.worker",  # -P: nothing is taken from the folder it happens to be in
                     stdin=asyncio.subprocess.PIPE, stdout=asyncio.subprocess.PIPE,
+                    limit=FRAME,
                     start_new_session=True,  # Ctrl-C is the server's to hear
                     env={**os.environ, "OPENBLAS_NUM_THREADS": "1"},
                 )  # fmt: skip
@@ -87,6 +89,7 @@ class Worker:
             older.outcome.cancel()
         self.something.set()
         self.leave_if_better()
+        asyncio.get_running_loop().call_later(GRACE, self.leave_if_better)
         return wish
 
     def forget(self, customer: Customer) -> None:

@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import Annotated, Any, TypeAlias, get_type_hints
+from typing import Annotated, Any, TypeAlias
 
 import numpy as np
 from annotated_types import Ge, Gt, Unit
 
-from dampen.component import ArgumentError, split_hint, wrong
+from dampen.component import ArgumentError, hints_of, split_hint, wrong
 from dampen.own import complaint, own_object
 from dampen.plants.base import Constant, polynomial
 
@@ -44,7 +44,8 @@ def sampled(profile: Profile, length: float, name: str = "profile") -> Array:
 def check_profiles(plant: Any, length: float) -> None:
     """Raise ArgumentError where a property of `plant` that varies along x leaves its declared range."""
     lines: list[str] = []
-    for name, hint in get_type_hints(type(plant), include_extras=True).items():
+    kind: Any = type(plant)
+    for name, hint in hints_of(kind).items():
         base, extras = split_hint(hint)
         if base == Profile:
             try:

@@ -8,9 +8,9 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import fields
 from importlib import resources
 from pathlib import Path
-from typing import Any, get_args, get_origin, get_type_hints
+from typing import Any, get_args, get_origin
 
-from dampen.component import ArgumentError, Component, InFile, parameters, shown, split_hint, suggestion, wrong
+from dampen.component import ArgumentError, Component, InFile, hints_of, parameters, shown, split_hint, suggestion, wrong
 from dampen.controllers.none import NoControl
 from dampen.disturbances.none import NoDisturbance
 from dampen.own import own_function
@@ -208,7 +208,7 @@ class Builder:
 
     def component(self, cls: type[Component], values: Any, where: str) -> Any:
         """A component from its table; inner tables become inner components."""
-        values, hints = _mapping(values, where), get_type_hints(cls, include_extras=True)
+        values, hints = _mapping(values, where), hints_of(cls)
         names = [f.name for f in fields(cls)]
         faults = [f"Argument `{where}.{key}` is not known{suggestion(key, names)}" for key in values if key not in names]
         missing = [p for p in parameters(cls) if p.required and p.name not in values]

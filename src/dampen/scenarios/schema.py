@@ -14,11 +14,11 @@ import inspect
 import json
 from collections.abc import Callable
 from types import NoneType, UnionType
-from typing import Annotated, Any, Literal, Union, get_args, get_origin, get_type_hints
+from typing import Annotated, Any, Literal, Union, get_args, get_origin
 
 from annotated_types import Ge, Gt, Le, Lt
 
-from dampen.component import Component, InFile, parameters, plain, split_hint
+from dampen.component import Component, InFile, hints_of, parameters, plain, split_hint
 from dampen.scenarios.kinds import FAMILIES, KINDS
 from dampen.scenarios.read import TABLES
 
@@ -36,7 +36,7 @@ def schema() -> dict[str, Any]:
 
 def described(cls: type[Component]) -> dict[str, Any]:
     """Summary and parameters of a class."""
-    hints = get_type_hints(cls, include_extras=True)
+    hints = hints_of(cls)
     return {"summary": cls.summary(), "parameters": [_parameter(p, hints[p.name]) for p in parameters(cls)]}
 
 
