@@ -19,7 +19,7 @@ from websockets.sync.client import ClientConnection, connect
 
 from dampen.lab.frames import unframed
 
-PATIENCE = 120.0  # seconds: the first run of a kind compiles its kernel
+PATIENCE = 300.0  # seconds: the first run of a kind compiles its kernel
 END = ("complete", "left", "refused", "failed")
 
 

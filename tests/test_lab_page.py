@@ -58,7 +58,7 @@ class Hand:
 
     def open(self, path: str) -> Page:
         page = self.context.new_page()
-        page.set_default_timeout(60_000)
+        page.set_default_timeout(120_000)
         page.on("console", lambda message: self.troubles.append(message.text) if message.type in ("error", "warning") else None)
         page.on("pageerror", lambda error: self.troubles.append(str(error)))
         page.on("request", lambda request: self.check(request.url))
@@ -74,11 +74,11 @@ class Hand:
 
     def wait(self, page: Page, what: str, count: int) -> None:
         """Until more than `count` events have come; by polling, since the page's policy forbids evaluated text."""
-        for _ in range(1200):
+        for _ in range(6000):
             if page.evaluate(f"() => {what}.length") > count:
                 return
             page.wait_for_timeout(50)
-        raise AssertionError(f"nothing was {what} for a minute; troubles: {self.troubles}")
+        raise AssertionError(f"nothing was {what} for five minutes; troubles: {self.troubles}")
 
     def drawn(self) -> int:
         return self.page.evaluate("() => drawn.length")

@@ -19,6 +19,7 @@ DEEPEST = 16
 SECONDS = 10.0  # a run that would take longer belongs to `dampen run`
 MEMORY = 512 * 2**20
 PATIENCE = 30.0  # seconds after which a worker that has not answered is ended
+LONG_PATIENCE = 300.0  # the same for one that compiles a kernel, or makes a report
 
 # Seconds, as measured on one core: a trial, a step with its signals, and each mode in it; a step of a load along the structure,
 # which is projected by a rule that is as fine as the modes or the grid, and of a load at a moving point; finding the modes.

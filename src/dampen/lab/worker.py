@@ -1,7 +1,8 @@
 """A worker: `python -m dampen.lab.worker` takes jobs from its standard input and answers on its standard output.
 
 Both are chains of records: a length (uint32, little-endian), then that many bytes. A job is JSON. An answer begins with a letter:
-"t" a message (JSON) for the page, "b" a frame for it, "." the end of a job, with what the server itself is to know (JSON).
+"t" a message (JSON) for the page, "b" a frame for it, "c" that a kernel is being compiled, "." the end of a job, with what the
+server itself is to know (JSON).
 {"leave": n} among the jobs says that job n need not be finished; {"trust": ...}, the first, what may be named beside a table.
 """
 
@@ -103,6 +104,8 @@ class Worker:
         if isinstance(said, bytes):
             self.answer(b"b", said)
             return
+        if said["say"] == "note":
+            self.answer(b"c", b"")
         if "faults" in said:
             said = {**said, "faults": self.readable(said["faults"])}
         self.answer(b"t", json.dumps(said).encode())

@@ -12,7 +12,7 @@ from collections.abc import Awaitable, Callable
 from dataclasses import dataclass, field
 from typing import Any
 
-from dampen.lab.limits import PATIENCE
+from dampen.lab.limits import LONG_PATIENCE, PATIENCE
 
 LENGTH = struct.Struct("<I")
 GRACE = 0.25  # seconds that a run may go on although its own page wants a newer one: most are done by then
@@ -139,20 +139,21 @@ class Worker:
 
     async def fulfil(self, wish: Wish) -> dict[str, Any]:
         """Have one job done, and pass its answers on; once more where the process has gone before it said anything."""
+        patience = LONG_PATIENCE if wish.job["do"] == "take" else PATIENCE
         for last in (False, True):
             self.serial += 1
             self.current, self.began, self.shown, self.told = wish, time.monotonic(), False, False
             try:
-                async with asyncio.timeout(PATIENCE):
+                async with asyncio.timeout(patience) as deadline:
                     await self.start()
                     if not self.introduced:
                         self.introduced = True
                         self.send({"trust": self.trust()})
                     self.send({**wish.job, "serial": self.serial})
-                    return await self.relay(wish)
+                    return await self.relay(wish, deadline)
             except TimeoutError:
                 await self.end()
-                return {"failed": f"The computation took longer than {PATIENCE:.0f} s and was ended."}
+                return {"failed": "The computation took too long and was ended."}
             except (Broken, OSError):
                 await self.end()
                 if last or self.shown:
@@ -161,8 +162,8 @@ class Worker:
                 self.current = None
         return {"failed": "The computation broke down and was ended."}
 
-    async def relay(self, wish: Wish) -> dict[str, Any]:
-        """Pass on what the process answers, until the job has ended."""
+    async def relay(self, wish: Wish, deadline: asyncio.Timeout) -> dict[str, Any]:
+        """Pass on what the process answers, until the job has ended; one that compiles a kernel first gets more time."""
         assert self.process is not None
         assert self.process.stdout is not None
         while True:
@@ -175,6 +176,9 @@ class Worker:
             if letter == b".":
                 outcome: dict[str, Any] = json.loads(content)
                 return outcome
+            if letter == b"c":
+                deadline.reschedule(asyncio.get_running_loop().time() + LONG_PATIENCE)
+                continue
             self.shown |= letter == b"b"
             await wish.customer.deliver(content if letter == b"b" else content.decode())
             self.leave_if_better()
