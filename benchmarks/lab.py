@@ -80,7 +80,7 @@ def first_picture(browser: Browser) -> float:
     return drawn - began
 
 
-class lab:  # noqa: N801  (a context)
+class lab:
     """A lab while it is needed."""
 
     def __enter__(self) -> str:
