@@ -5,9 +5,12 @@ Needs Chromium; where there is none the tests are skipped, unless DAMPEN_BROWSER
 
 from __future__ import annotations
 
+import base64
+import json
 import os
 import re
 import shutil
+import zlib
 from urllib.parse import urlsplit
 
 import numpy as np
@@ -17,7 +20,7 @@ from playwright.sync_api import Browser, Page, expect, sync_playwright
 
 import dampen
 from dampen.analysis.metrics import error_peaks
-from dampen.scenarios.read import shipped
+from dampen.scenarios.read import shipped, table_of
 from tests.lab import lab_process
 
 CHROMIUM = os.environ.get("DAMPEN_BROWSER") or shutil.which("chromium") or shutil.which("chromium-browser")
@@ -214,6 +217,69 @@ def test_a_broken_link_is_told_and_the_page_goes_on(hand):
     other = hand.open("/#s=nonsense")
     expect(other.get_by_role("alert")).to_contain_text("link")
     np.testing.assert_array_equal(hand.peaks(other), peaks_of())
+
+
+def link_of(view: object, **changes: object) -> str:
+    """A link as the page makes it, with a view of our own."""
+    state = json.dumps({"v": 1, "preset": "he2017", "table": table_of("he2017"), "view": view, **changes}).encode()
+    packer = zlib.compressobj(wbits=-15)
+    return "/#s=" + base64.urlsafe_b64encode(packer.compress(state) + packer.flush()).decode().rstrip("=")
+
+
+SENSELESS = ({"span": "foo"}, {"trial": -1}, {"trial": 1.5}, {"time": "x"}, {"speed": -1, "playing": True}, {"trial": None}, 7)
+
+
+@pytest.mark.parametrize("view", SENSELESS)
+def test_a_link_whose_view_has_no_sense_shows_its_scenario_all_the_same(browser, address, view):
+    hand = Hand(browser, address, path=link_of(view))
+    np.testing.assert_array_equal(hand.peaks(), peaks_of())
+    hand.context.close()
+    assert not hand.troubles
+
+
+def test_a_run_of_another_scenario_says_so(hand):
+    """After a refusal the last run stays, and nobody is to take it for the scenario's own."""
+    page = hand.page
+    expect(page.locator("#stage")).to_contain_text("he2017")
+    hand.after(lambda: page.get_by_label("Scenario", exact=True).select_option("string-tip-mass"))
+    expect(page.locator("#stage")).to_contain_text("string-tip-mass")
+    page.locator('[data-path="controller.damping.tip_w"]').fill("-1")
+    page.locator('[data-path="controller.damping.tip_w"]').press("Enter")
+    expect(page.locator("#stage")).to_contain_text(re.compile("not this scenario", re.IGNORECASE))
+    expect(page.locator("#status")).to_contain_text("Not run")
+
+
+def test_walls_come_and_go_with_the_constraint(hand):
+    page, stage = hand.page, hand.page.locator("#stage canvas")
+    with_walls = stage.screenshot()
+    hand.after(lambda: open_link(page, link_of({}, table={**table_of("he2017"), **WITHOUT_WALLS})))
+    page.wait_for_timeout(500)
+    assert stage.screenshot() != with_walls
+    expect(page.locator("#stage")).not_to_contain_text("walls out of view")
+    expect(page.locator("#panels")).to_contain_text("no constraint")
+    hand.after(lambda: page.get_by_role("button", name="Undo").click())
+    page.wait_for_timeout(500)
+    expect(page.locator("#panels")).to_contain_text("constraint ±200 mm")
+
+
+WITHOUT_WALLS = {"task": {"trials": 25, "trial_duration": 2.0}, "controller": {"kind": "none"}}
+
+
+def open_link(page: Page, link: str) -> None:
+    page.evaluate("(hash) => { location.hash = hash; }", link.removeprefix("/"))
+
+
+def test_undoing_a_swap_brings_both_runs_back(hand):
+    page = hand.page
+    page.get_by_role("button", name="Pin", exact=True).click()
+    hand.after(lambda: hand.set_gain("5"))
+    hand.after(lambda: page.get_by_role("button", name="Swap").click())
+    np.testing.assert_array_equal(hand.peaks(), peaks_of())
+    hand.after(lambda: page.get_by_role("button", name="Undo").click())
+    np.testing.assert_array_equal(hand.peaks(), peaks_of("controller.alpha_4=5"))
+    legend = page.locator("#panels .legend").first
+    expect(legend).to_contain_text("he2017")
+    expect(legend).not_to_contain_text("alpha_4")
 
 
 def test_an_error_stands_beside_its_field_and_the_last_run_stays(hand):
