@@ -154,7 +154,7 @@ class Worker:
             except TimeoutError:
                 await self.end()
                 return {"failed": "The computation took too long and was ended."}
-            except (Broken, OSError):
+            except (Broken, OSError, ValueError):
                 await self.end()
                 if last or self.shown:
                     break
