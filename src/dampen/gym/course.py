@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any
 
@@ -11,7 +11,7 @@ from gymnasium.spaces import Box
 
 from dampen.component import ArgumentError, wrong
 from dampen.controllers.base import Array
-from dampen.gym.scaling import EFFORT, FARTHEST, scaling_of
+from dampen.gym.scaling import EFFORT, FARTHEST, ByPort, scaling_of
 from dampen.gym.seat import seated
 from dampen.gym.stepper import Stepper
 from dampen.scenarios.read import read_scenario
@@ -40,7 +40,8 @@ class Course:
         *,
         overrides: Sequence[str] = (),
         period: float | None = None,
-        command_limit: float | Mapping[str, float] | None = None,
+        command_limit: ByPort | None = None,
+        error_scale: ByPort | None = None,
         effort_weight: float = EFFORT,
     ):
         for name, number in (("num_envs", count), ("threads", threads)):
@@ -52,7 +53,7 @@ class Course:
             raise ArgumentError("Argument `overrides` must be left out where `scenario` is a Scenario already.")
         self.scenario = seated(scenario, period)
         self.stepper = Stepper(self.scenario, count, threads)
-        self.scaling = scaling_of(self.scenario, self.stepper.setting, command_limit, effort_weight)
+        self.scaling = scaling_of(self.scenario, self.stepper.setting, command_limit, error_scale, effort_weight)
         self.references = bool(self.scenario.task.reference)
         ports, duration = len(self.scenario.ports), self.scenario.task.trial_duration
         self.share = self.scenario.sampling.period / duration  # of a trial, in a step
@@ -76,43 +77,48 @@ class Course:
         parts = [fleet.seen_error / scale.error, fleet.seen_rate / scale.rate]
         if self.references:
             parts.append(bank.reference[fleet.row, fleet.at] / scale.error)
-        known = np.clip(np.hstack(parts), -FARTHEST, FARTHEST)
-        return np.hstack([np.nan_to_num(known), np.minimum(fleet.at * self.share, 1.0)[:, None]])
+        parts.append(np.minimum(fleet.at * self.share, 1.0)[:, None])
+        known = np.minimum(np.maximum(np.concatenate(parts, axis=1), -FARTHEST), FARTHEST)
+        return np.nan_to_num(known) if (fleet.crossed > 1).any() else known
 
     def step(self, actions: Array, which: Array) -> Outcome:
         """Move some runs, (count,) true, by a sample period under actions (count, ports) in [-1, 1]; others rest."""
         stepper, fleet = self.stepper, self.stepper.fleet
-        fleet.command[:] = np.clip(np.nan_to_num(actions), -1.0, 1.0) * self.scaling.command
+        if actions.shape != fleet.command.shape or not np.isfinite(actions[which]).all():
+            raise wrong("action", f"be {fleet.command.shape[1]} finite numbers for every environment", actions.tolist())
+        fleet.command[which] = (np.minimum(np.maximum(actions, -1.0), 1.0) * self.scaling.command)[which]
         stepper.move(which)
         reward = np.where(which, -self.share * self.scaling.cost(fleet.square, fleet.effort), 0.0)
         terminated, ended = which & (fleet.crossed > 0), which & stepper.ended()
         truncated = ended & ~terminated & (stepper.trial == stepper.trials - 1)
         if terminated.any():
-            left = stepper.trials - stepper.trial - fleet.at * self.share
-            lost = np.where(fleet.crossed > 1, self.share, 0.0)  # a motion without end has no cost of its own
-            reward = np.where(terminated, np.where(lost > 0, 0.0, reward) - (left + lost) * self.scaling.worst, reward)
+            reward = np.where(terminated, self.of_the_lost(reward), reward)
         again = ended & ~terminated & ~truncated
-        for i in np.flatnonzero(again):
-            stepper.next_trial(int(i))
         if again.any():
+            for i in np.flatnonzero(again):
+                stepper.next_trial(int(i))
             stepper.look(again)
         return Outcome(self.observation(), reward, terminated, truncated, ended)
+
+    def of_the_lost(self, reward: Array) -> Array:
+        """(count,) rewards of steps that end at the constraint: all that was left of the episode counts as spent at the limits.
+
+        A motion that stopped being finite has no cost of its own for the last step.
+        """
+        stepper, fleet = self.stepper, self.stepper.fleet
+        left = stepper.trials - stepper.trial - fleet.at * self.share
+        diverged = fleet.crossed > 1
+        return np.asarray(np.where(diverged, 0.0, reward) - (left + diverged * self.share) * self.scaling.worst)
 
     def told(self) -> dict[str, Array]:
         """What there is to know of all runs beside the observation, (count, ...)."""
         stepper, fleet = self.stepper, self.stepper.fleet
-        at = fleet.at * self.gear_step
-        along = stepper.bank.along[fleet.row, at]
+        along = stepper.bank.along[fleet.row, fleet.at * stepper.gear.period]
         period = self.scenario.sampling.period
         return {
             "trial": stepper.trial.copy(), "time": fleet.at * period, "displacement": fleet.y + along, "error": fleet.y.copy(),
             "command": fleet.command.copy(), "energy": fleet.energy.copy(), "crossed": fleet.crossed > 0,
         }  # fmt: skip
-
-    @property
-    def gear_step(self) -> int:
-        """Time steps in a sample period."""
-        return self.stepper.gear.period
 
     def one(self, i: int) -> dict[str, Any]:
         """The same of run i alone."""

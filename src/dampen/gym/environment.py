@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
-from typing import Any, ClassVar
+from collections.abc import Sequence
+from typing import Any
 
 import gymnasium
 import numpy as np
@@ -11,7 +11,7 @@ import numpy as np
 from dampen.component import ArgumentError, wrong
 from dampen.controllers.base import Array
 from dampen.gym.course import Course
-from dampen.gym.scaling import EFFORT
+from dampen.gym.scaling import EFFORT, ByPort
 from dampen.simulation.scenario import Scenario
 
 
@@ -22,7 +22,7 @@ class BeamEnv(gymnasium.Env[Array, Array]):
     stand what the scenario has there: the law's compensation of the actuators, delay, command limits, actuators, disturbances.
 
     action:       (ports,) in [-1, 1], times `command_limit` [N, N m].
-    observation:  by port the tracking error as a controller reads it (noise, quantiser) over its scale; then by port its estimated
+    observation:  by port the tracking error as a controller reads it (noise, quantiser) over its scale; by port its estimated
                   rate over its scale; then, where the task has a reference, by port the reference over the error's scale; then
                   the share of the trial that is over, 0 to 1. At most 100 in size. The scales are in `info["scales"]` of `reset`.
     reward:       -(period/T_b) sum over ports of  mean (e/scale)^2 + effort_weight mean (u/limit)^2,  the means over the period
@@ -37,14 +37,18 @@ class BeamEnv(gymnasium.Env[Array, Array]):
     scenario:      a Scenario, the name of a shipped one, or the path of a file; `overrides` as on the command line.
     period:        [s] between actions; left out: the scenario's sample period, or its time step where the law is continuous,
                    whose sensors are exact.
-    command_limit: what an action of 1 means, one number or by port; left out: `sampling.command_limit`, else the static force
-                   that would take the structure to its constraint.
+    command_limit: what an action of 1 means, one number or by port [N, N m]; left out: `sampling.command_limit`, else the static
+                   force that bends the structure by the error's scale.
+    error_scale:   what an error of 1 means [m, rad]; left out: the room between reference and constraint.
 
     Every episode is the scenario's own, with its seeds, until `reset` is given a seed: from then on the seeds of noise, reset
     errors and disturbances are drawn. Double precision throughout, so that a run can be replayed.
     """
 
-    metadata: ClassVar[dict[str, Any]] = {"render_modes": ["rgb_array"], "render_fps": 50}
+    metadata: dict[str, Any] = {  # noqa: RUF012  (as Gymnasium declares it)
+        "render_modes": ["rgb_array"],
+        "render_fps": 50,
+    }
 
     def __init__(
         self,
@@ -52,7 +56,8 @@ class BeamEnv(gymnasium.Env[Array, Array]):
         *,
         overrides: Sequence[str] = (),
         period: float | None = None,
-        command_limit: float | Mapping[str, float] | None = None,
+        command_limit: ByPort | None = None,
+        error_scale: ByPort | None = None,
         effort_weight: float = EFFORT,
         render_mode: str | None = None,
     ):
@@ -60,7 +65,8 @@ class BeamEnv(gymnasium.Env[Array, Array]):
             raise wrong("render_mode", 'be "rgb_array" or left out', render_mode)
         self.render_mode = render_mode
         self.course = Course(
-            scenario, overrides=overrides, period=period, command_limit=command_limit, effort_weight=effort_weight
+            scenario, overrides=overrides, period=period, command_limit=command_limit, error_scale=error_scale,
+            effort_weight=effort_weight,
         )  # fmt: skip
         self.action_space, self.observation_space = self.course.action_space, self.course.observation_space
         self._on = np.ones(1, bool)

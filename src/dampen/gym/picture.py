@@ -29,5 +29,5 @@ def picture(course: Course, i: int = 0) -> Any:
             axes.vlines(port.x, *np.nan_to_num([low, high], neginf=-scale.error[p], posinf=scale.error[p]), color="0.7", zorder=0)
             axes.set_ylim(-1.2 * scale.error[p], 1.2 * scale.error[p])
     axes.set_title(f"trial {told['trial']}, t = {told['time']:.2f} s")
-    canvas.draw()
-    return np.asarray(canvas.buffer_rgba())[..., :3].copy()
+    canvas.draw()  # type: ignore[no-untyped-call]
+    return np.asarray(canvas.buffer_rgba())[..., :3].copy()  # type: ignore[no-untyped-call]

@@ -14,6 +14,7 @@ from dampen.simulation.scenario import Scenario
 
 FARTHEST = 100.0  # observations end here, in their own units: finite bounds, which no controlled motion comes near
 EFFORT = 0.01
+ByPort = float | Mapping[str, float]
 
 
 @dataclass(frozen=True)
@@ -36,44 +37,56 @@ class Scaling:
 
 
 def scaling_of(
-    scenario: Scenario, setting: Setting, command_limit: float | Mapping[str, float] | None, effort_weight: float
+    scenario: Scenario, setting: Setting, command_limit: ByPort | None, error_scale: ByPort | None, effort_weight: float
 ) -> Scaling:
     """The scales of a scenario.
 
-    command: `command_limit`, else the scenario's `sampling.command_limit`, else the static force that takes the structure to
-             its constraint.
-    error:   the least distance from the reference to the constraint, else what that command bends statically.
-    rate:    that error at the lowest frequency.
+    error:   `error_scale`, else the least distance from the reference to the constraint, else the reference's largest
+             excursion, else what the command limit bends statically.
+    command: `command_limit`, else the scenario's `sampling.command_limit`, else the static force that bends the structure by
+             the error's scale; 1 where no force reaches the structure.
+    rate:    the error's scale at the lowest frequency.
+
+    Raises ArgumentError where nothing of all that is known.
     """
     if not (np.isfinite(effort_weight) and effort_weight >= 0):
         raise wrong("effort_weight", "be >= 0", effort_weight)
-    given = _limits(scenario, command_limit)
-    own = {s.port.name: s for s in scales(setting)}
-    command, error = [], []
-    for port in scenario.ports:
-        limit, scale = given.get(port), own.get(port)
-        room = float(np.minimum(setting.high, -setting.low)[:, scenario.ports.index(port)].min())
-        if scale is None:  # nothing acts there
-            command.append(1.0 if limit is None else limit)
-            error.append(room if np.isfinite(room) else 1.0)
-            continue
-        if limit is None and not np.isfinite(room):
-            raise ArgumentError(f"Argument `command_limit` must be given for {port}: the scenario has no limit or constraint there.")
-        command.append(scale.stiffness * room if limit is None else limit)
-        error.append(room if np.isfinite(room) else command[-1] / scale.stiffness)
-    rate = 2 * np.pi / first_period(setting)
-    return Scaling(np.array(command), np.array(error), rate * np.array(error), float(effort_weight))
+    limits = {**scenario.sampling.command_limit, **by_port(scenario, "command_limit", command_limit)}
+    errors = by_port(scenario, "error_scale", error_scale)
+    stiffness = {s.port.name: s.stiffness for s in scales(setting)}
+    command, error = np.ones((2, len(scenario.ports)))
+    for p, port in enumerate(scenario.ports):
+        far, limit = errors.get(port, excursion(setting, p)), limits.get(port)
+        if port not in stiffness:
+            error[p], command[p] = far or 1.0, limit or 1.0
+        elif far is not None:
+            error[p], command[p] = far, limit or stiffness[port] * far
+        elif limit is not None:
+            error[p], command[p] = limit / stiffness[port], limit
+        else:
+            raise ArgumentError(
+                f"Argument `command_limit.{port}` must be given: the scenario has no limit, constraint or reference there."
+            )
+    return Scaling(command, error, 2 * np.pi / first_period(setting) * error, float(effort_weight))
 
 
-def _limits(scenario: Scenario, command_limit: float | Mapping[str, float] | None) -> Mapping[str, float]:
-    """The limits that are given, by port."""
-    if command_limit is None:
-        return scenario.sampling.command_limit
-    given = command_limit if isinstance(command_limit, Mapping) else dict.fromkeys(scenario.ports, float(command_limit))
-    for port, limit in given.items():
+def excursion(setting: Setting, p: int) -> float | None:
+    """The least distance from the reference to the constraint at a port, else how far its reference goes; None: neither."""
+    room = float(np.minimum(setting.high[:, p], -setting.low[:, p]).min())
+    if np.isfinite(room):
+        return room
+    return float(np.abs(setting.reference[:, p]).max()) or None
+
+
+def by_port(scenario: Scenario, name: str, given: ByPort | None) -> Mapping[str, float]:
+    """Numbers by port, checked; one number is for all ports."""
+    if given is None:
+        return {}
+    table = given if isinstance(given, Mapping) else dict.fromkeys(scenario.ports, given)
+    for port, number in table.items():
         if port not in scenario.ports:
             known = ", ".join(scenario.ports)
-            raise ArgumentError(f"Argument `command_limit.{port}` is not a port of this plant; known here: {known}.")
-        if not (np.isfinite(limit) and limit > 0):
-            raise wrong(f"command_limit.{port}", "be > 0", limit)
-    return {**scenario.sampling.command_limit, **given}
+            raise ArgumentError(f"Argument `{name}.{port}` is not a port of this plant; known here: {known}.")
+        if not (isinstance(number, int | float) and np.isfinite(number) and number > 0):
+            raise wrong(f"{name}.{port}", "be a number > 0", number)
+    return table

@@ -49,7 +49,8 @@ class Stepper:
             plain._replace(**{name: getattr(self.fleet, name)[i] for name in OWN_SAMPLER}) for i in range(count)
         ]  # fmt: skip
         self.alike = [self._alike(j) for j in range(self.trials)]
-        self.shared = len(set(self.alike)) <= count and drawn(scenario, np.random.default_rng()).disturbance == scenario.disturbance
+        fixed = drawn(scenario, np.random.default_rng()).disturbance == scenario.disturbance
+        self.shared = fixed and len(set(self.alike)) <= count
         self.filled: dict[int, int] = {}
         self.bank = self._bank(len(set(self.alike)) if self.shared else count)
         self.bays = [self._bay() for _ in range(min(threads, count))]
@@ -124,8 +125,10 @@ class Stepper:
 
     def _gear(self, plain: Sampler) -> Gear:
         ports = len(self.scenario.ports)
-        given = (getattr(plain, name) for name in ("period", "delay", "ahead", "seconds", "quantum", "gain_1", "gain_2", "ceiling"))
-        return Gear(*given, idle=np.zeros((plain.period, ports)), blank=np.zeros((1, ports)))
+        return Gear(
+            plain.period, plain.delay, plain.ahead, plain.seconds, plain.quantum, plain.gain_1, plain.gain_2, plain.ceiling,
+            idle=np.zeros((plain.period, ports)), blank=np.zeros((1, ports)),
+        )  # fmt: skip
 
     def _fleet(self, plain: Sampler) -> Fleet:
         n, ports, samples = self.count, len(self.scenario.ports), self.samples
@@ -134,9 +137,15 @@ class Stepper:
         whole = {name: np.zeros(n, int) for name in ("todo", "row", "at", "crossed")}
         own = {name: np.zeros((n, *getattr(plain, name).shape)) for name in OWN_SAMPLER}
         return Fleet(
-            modal=on_cache_line(n * MODAL.itemsize).view(MODAL), ports=np.zeros((n, ports), PORT), stages=np.zeros((n, stages), STAGE),
-            noise=np.zeros((n, samples + 1, ports)), energy=np.zeros(n), **by_port, **whole, **own,
-        )  # fmt: skip
+            modal=on_cache_line(n * MODAL.itemsize).view(MODAL),
+            ports=np.zeros((n, ports), PORT),
+            stages=np.zeros((n, stages), STAGE),
+            noise=np.zeros((n, samples + 1, ports)),
+            energy=np.zeros(n),
+            **by_port,
+            **whole,
+            **own,
+        )
 
     def _bank(self, rows: int) -> Bank:
         steps, ports = self.scenario.steps, len(self.scenario.ports)

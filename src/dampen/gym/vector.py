@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from typing import Any
 
 import gymnasium
@@ -14,7 +14,7 @@ from gymnasium.vector.utils import batch_space
 from dampen.component import ArgumentError, wrong
 from dampen.controllers.base import Array
 from dampen.gym.course import Course, Outcome
-from dampen.gym.scaling import EFFORT
+from dampen.gym.scaling import EFFORT, ByPort
 from dampen.simulation.scenario import Scenario
 
 
@@ -36,7 +36,8 @@ class BeamVectorEnv(VectorEnv[Array, Array, Array]):
         *,
         overrides: Sequence[str] = (),
         period: float | None = None,
-        command_limit: float | Mapping[str, float] | None = None,
+        command_limit: ByPort | None = None,
+        error_scale: ByPort | None = None,
         effort_weight: float = EFFORT,
         threads: int = 1,
         autoreset_mode: AutoresetMode = AutoresetMode.NEXT_STEP,
@@ -46,7 +47,7 @@ class BeamVectorEnv(VectorEnv[Array, Array, Array]):
             raise wrong("render_mode", "be left out for a vector", render_mode)
         self.course = Course(
             scenario, num_envs, threads, overrides=overrides, period=period, command_limit=command_limit,
-            effort_weight=effort_weight,
+            error_scale=error_scale, effort_weight=effort_weight,
         )  # fmt: skip
         self.num_envs, self.render_mode, self.spec = num_envs, None, None
         self.autoreset_mode = AutoresetMode(autoreset_mode)
@@ -72,7 +73,7 @@ class BeamVectorEnv(VectorEnv[Array, Array, Array]):
         if len(seeds) != self.num_envs:
             raise wrong("seed", f"be one number or {self.num_envs}", list(seeds))
         for i in np.flatnonzero(mask):
-            one = seeds[i]
+            one = seeds[int(i)]
             self._random[i] = self._random[i] if one is None else np_random(int(one))[0]
         self._begun = True
         return self._begin(mask), self._info(np.zeros(self.num_envs, bool))

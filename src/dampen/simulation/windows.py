@@ -83,7 +83,7 @@ class Gear(NamedTuple):
 
 
 class Bay(NamedTuple):
-    """What one thread works with: the step, the record that a window leaves, and scratch for a look: (ports,), (1,), (1, ports)."""
+    """What one thread works with: the step, the record that a window leaves, for a look (ports,), (ports,), (1,), (1, ports)."""
 
     step: Step
     record: tuple[Array, ...]
