@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import subprocess
 import sys
 import warnings
 from dataclasses import replace
@@ -58,7 +59,7 @@ def test_the_commands_of_the_scenarios_own_law_reproduce_its_run(start: str) -> 
 
 
 def test_the_shipped_sampled_experiment_is_reproduced_over_all_its_steps() -> None:
-    case = dampen.read_scenario("he2017-sampled", ["task.trials=2"])
+    case = dampen.read_scenario("he2017-sampled", ["numerics.modes=40"])
     run = dampen.simulate(case)
     steps = replayed(case, run, BeamEnv(case, command_limit=100.0))
     y = np.array([s["displacement"] for s in steps]).reshape(run["issued"][:].shape)
@@ -255,6 +256,17 @@ def test_an_action_that_is_no_number_is_refused() -> None:
     env.reset()
     with pytest.raises(dampen.ArgumentError, match="2 finite numbers"):
         env.step(np.array([np.nan, 0.0]))
+
+
+def test_more_than_the_memory_should_hold_is_refused() -> None:
+    with pytest.raises(dampen.ArgumentError, match="`num_envs` must be smaller"):
+        BeamVectorEnv(40_000, "he2017", overrides=FEW)
+
+
+def test_without_gymnasium_one_line_says_what_to_install() -> None:
+    code = "import sys; sys.modules['gymnasium'] = None; import dampen.gym"
+    told = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True).stderr.splitlines()[-1]
+    assert told == "ImportError: `dampen.gym` needs gymnasium: pip install 'dampen[gym]'."
 
 
 def test_a_few_generations_find_gains_that_beat_no_control() -> None:

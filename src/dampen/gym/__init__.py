@@ -7,12 +7,10 @@
 Needs gymnasium: `pip install 'dampen[gym]'`.
 """
 
-from dampen.component import ArgumentError
-
 try:
     import gymnasium
 except ImportError:
-    raise ArgumentError("`dampen.gym` needs gymnasium: pip install 'dampen[gym]'.") from None
+    raise ImportError("`dampen.gym` needs gymnasium: pip install 'dampen[gym]'.") from None
 
 from dampen.gym.environment import BeamEnv as BeamEnv
 from dampen.gym.vector import BeamVectorEnv as BeamVectorEnv

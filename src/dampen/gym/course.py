@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -34,7 +35,7 @@ class Course:
 
     def __init__(
         self,
-        scenario: Scenario | str,
+        scenario: Scenario | str | Path,
         count: int = 1,
         threads: int = 1,
         *,
@@ -47,7 +48,7 @@ class Course:
         for name, number in (("num_envs", count), ("threads", threads)):
             if not (isinstance(number, int | np.integer) and number >= 1):
                 raise wrong(name, "be a whole number >= 1", number)
-        if isinstance(scenario, str):
+        if not isinstance(scenario, Scenario):
             scenario = read_scenario(scenario, overrides)
         elif overrides:
             raise ArgumentError("Argument `overrides` must be left out where `scenario` is a Scenario already.")

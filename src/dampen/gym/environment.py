@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from pathlib import Path
 from typing import Any
 
 import gymnasium
@@ -52,7 +53,7 @@ class BeamEnv(gymnasium.Env[Array, Array]):
 
     def __init__(
         self,
-        scenario: Scenario | str = "he2017",
+        scenario: Scenario | str | Path = "he2017",
         *,
         overrides: Sequence[str] = (),
         period: float | None = None,

@@ -6,6 +6,7 @@ from concurrent.futures import ThreadPoolExecutor
 
 import numpy as np
 
+from dampen.component import wrong
 from dampen.controllers.base import Array, Setting
 from dampen.gym.seat import drawn
 from dampen.simulation.bench import Bench
@@ -15,7 +16,7 @@ from dampen.simulation.digital_side import begin_again, prepare, sampler_of
 from dampen.simulation.kernel import MODAL, PORT, STAGE, Step
 from dampen.simulation.passes import law_of
 from dampen.simulation.records import aligned, empty_record, on_cache_line, port_records
-from dampen.simulation.scenario import Scenario
+from dampen.simulation.scenario import LARGEST_TRIAL, Scenario
 from dampen.simulation.setting import of_trial, setting_of
 from dampen.simulation.windows import LOOK, MOVE, REST, Bank, Bay, Fleet, Gear
 
@@ -52,7 +53,11 @@ class Stepper:
         fixed = drawn(scenario, np.random.default_rng()).disturbance == scenario.disturbance
         self.shared = fixed and len(set(self.alike)) <= count
         self.filled: dict[int, int] = {}
-        self.bank = self._bank(len(set(self.alike)) if self.shared else count)
+        rows = len(set(self.alike)) if self.shared else count
+        size = (rows * scenario.steps * (self.bench.modes.count + 60) * 8 + count * MODAL.itemsize) / 2**30
+        if size > LARGEST_TRIAL:
+            raise wrong("num_envs", f"be smaller: so many would need {size:.3g} GiB", count)
+        self.bank = self._bank(rows)
         self.bays = [self._bay() for _ in range(min(threads, count))]
         self.pool = ThreadPoolExecutor(len(self.bays)) if len(self.bays) > 1 else None
 
@@ -76,6 +81,11 @@ class Stepper:
             part(0)
         else:
             list(self.pool.map(part, range(len(self.bays))))
+
+    def close(self) -> None:
+        """Let go of the threads."""
+        if self.pool is not None:
+            self.pool.shutdown()
 
     def ended(self) -> Array:
         """(count,) runs that are at the end of a trial."""

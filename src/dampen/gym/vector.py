@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from pathlib import Path
 from typing import Any
 
 import gymnasium
@@ -32,7 +33,7 @@ class BeamVectorEnv(VectorEnv[Array, Array, Array]):
     def __init__(
         self,
         num_envs: int = 1,
-        scenario: Scenario | str = "he2017",
+        scenario: Scenario | str | Path = "he2017",
         *,
         overrides: Sequence[str] = (),
         period: float | None = None,
@@ -95,6 +96,10 @@ class BeamVectorEnv(VectorEnv[Array, Array, Array]):
         if self._over.any() and self.autoreset_mode is AutoresetMode.SAME_STEP:
             observation, info = self._same_step(outcome)
         return observation, outcome.reward, outcome.terminated, outcome.truncated, info
+
+    def close_extras(self, **kwargs: Any) -> None:
+        """Let go of the threads."""
+        self.course.stepper.close()
 
     def _begin(self, which: Array) -> Array:
         """Begin new episodes where `which` is true; the observations of all."""
