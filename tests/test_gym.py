@@ -54,8 +54,8 @@ def test_the_commands_of_the_scenarios_own_law_reproduce_its_run(start: str) -> 
     np.testing.assert_allclose(y[:, :-1], run["y"][:][:, period:-period:period], rtol=0, atol=1e-9)
     np.testing.assert_allclose(y[-1, -1], run["y"][-1, -1], rtol=0, atol=1e-9)
     seen = np.array([s["observation"] for s in steps]).reshape(*shape[:2], -1)
-    np.testing.assert_allclose(seen[:, :-1, :2] * env.course.scaling.error, run["reading"][:][:, 1:], rtol=0, atol=1e-9)
-    np.testing.assert_allclose(seen[:, :-1, 2:4] * env.course.scaling.rate, run["rate_estimate"][:][:, 1:], rtol=0, atol=1e-9)
+    np.testing.assert_allclose(seen[:, :-1, :2] * env.scaling.error, run["reading"][:][:, 1:], rtol=0, atol=1e-9)
+    np.testing.assert_allclose(seen[:, :-1, 2:4] * env.scaling.rate, run["rate_estimate"][:][:, 1:], rtol=0, atol=1e-9)
 
 
 def test_the_shipped_sampled_experiment_is_reproduced_over_all_its_steps() -> None:
@@ -96,7 +96,7 @@ def test_the_episode_ends_with_the_last_trial_or_at_the_constraint() -> None:
     while not (truncated or terminated):
         observation, reward, terminated, truncated, info = env.step(np.zeros(2))
         times.append((info["trial"], info["trial_ended"]))
-        assert -3 * env.course.share * env.course.scaling.worst < reward < 0
+        assert -3 * env.course.share * env.scaling.worst < reward < 0
         assert env.observation_space.contains(observation)
     assert (truncated, terminated, len(times)) == (True, False, 200)
     assert times[99] == (1, True)
@@ -116,6 +116,29 @@ def test_the_episode_ends_with_the_last_trial_or_at_the_constraint() -> None:
     # what was left of two trials counts at the limits of error and effort, of both ports
     assert reward < -(2 - count / 100) * 2 * 1.01
     assert total > -2 * 2 * 1.5
+
+
+def test_the_return_of_a_trial_is_minus_its_mean_cost() -> None:
+    held = {"tip_w": 1.5, "tip_phi": -2.0}
+    case = replace(scenario(*FEW), controller=dampen.OpenLoop(command=held), claims=None)
+    run = dampen.simulate(case)
+    env = BeamEnv(case, command_limit=2.0, error_scale=0.1, effort_weight=0.3, period=0.01)
+    env.reset()
+    total = sum(env.step(np.array([0.75, -1.0]))[1] for _ in range(20))
+    error = np.mean(run["y"][0, 1:] ** 2, axis=0).sum() / 0.1**2
+    assert total == pytest.approx(-error - 0.3 * (0.75**2 + 1), rel=1e-9)
+
+
+def test_a_motion_that_stops_being_finite_ends_the_episode_with_finite_numbers() -> None:
+    env = BeamEnv("he2017", overrides=[*FEW, "controller.kind=none", "task.constraint={}"], command_limit=1e25)
+    env.reset()
+    terminated, steps = False, 0
+    while not terminated:
+        seen, reward, terminated, _, info = env.step(np.ones(2))
+        steps += 1
+    assert info["crossed"]
+    assert np.isfinite(seen).all()
+    assert reward == pytest.approx(-(2 - (steps - 1) / 100) * env.scaling.worst)
 
 
 def test_a_seed_draws_noise_and_disturbance_and_none_is_the_scenarios_own() -> None:
@@ -214,13 +237,11 @@ def as_records(fleet):  # type: ignore[no-untyped-def]
 
 
 @pytest.mark.parametrize("name", shipped())
-def test_every_shipped_scenario_is_an_environment(name: str) -> None:
+def test_every_shipped_scenario_has_scales_of_its_own(name: str) -> None:
     env = BeamEnv(name, overrides=["numerics.modes=6"])
-    env.reset(seed=1)
-    for _ in range(5):
-        seen = env.step(env.action_space.sample())[0]
-        assert env.observation_space.contains(seen)
-        assert np.abs(seen).max() < 20
+    for scale in (env.scaling.command, env.scaling.error, env.scaling.rate):
+        assert scale.shape == env.action_space.shape
+        assert np.all((scale > 1e-4) & (scale < 1e4))
 
 
 def test_a_picture_shows_the_structure() -> None:

@@ -12,7 +12,7 @@ import numpy as np
 from dampen.component import ArgumentError, wrong
 from dampen.controllers.base import Array
 from dampen.gym.course import Course
-from dampen.gym.scaling import EFFORT, ByPort
+from dampen.gym.scaling import EFFORT, ByPort, Scaling
 from dampen.simulation.scenario import Scenario
 
 
@@ -25,7 +25,7 @@ class BeamEnv(gymnasium.Env[Array, Array]):
     action:       (ports,) in [-1, 1], times `command_limit` [N, N m].
     observation:  by port the tracking error as a controller reads it (noise, quantiser) over its scale; by port its estimated
                   rate over its scale; then, where the task has a reference, by port the reference over the error's scale; then
-                  the share of the trial that is over, 0 to 1. At most 100 in size. The scales are in `info["scales"]` of `reset`.
+                  the share of the trial that is over, 0 to 1. At most 100 in size. The scales are in the attribute `scaling`.
     reward:       -(period/T_b) sum over ports of  mean (e/scale)^2 + effort_weight mean (u/limit)^2,  the means over the period
                   and the true error: a trial's return is minus its mean cost.
     terminated:   a port left its constraint; the reward then counts error and effort at their limits for all the time
@@ -73,16 +73,18 @@ class BeamEnv(gymnasium.Env[Array, Array]):
         self._on = np.ones(1, bool)
         self._seeded = self._going = False
 
+    @property
+    def scaling(self) -> Scaling:
+        """By port, what counts as 1 in actions and observations."""
+        return self.course.scaling
+
     def reset(self, *, seed: int | None = None, options: dict[str, Any] | None = None) -> tuple[Array, dict[str, Any]]:
         """Back to the beginning of trial 0; see the class for what a seed does."""
         super().reset(seed=seed)
         self._seeded |= seed is not None
         self.course.reset(0, self.np_random if self._seeded else None)
         self._going = True
-        observation = self.course.observe(self._on)[0]
-        scale = self.course.scaling
-        scales = {"command": scale.command.copy(), "error": scale.error.copy(), "rate": scale.rate.copy()}
-        return observation, {**self.course.one(0), "trial_ended": False, "scales": scales}
+        return self.course.observe(self._on)[0], {**self.course.one(0), "trial_ended": False}
 
     def step(self, action: Array) -> tuple[Array, float, bool, bool, dict[str, Any]]:
         """Hold an action for a sample period."""

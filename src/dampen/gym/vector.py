@@ -15,7 +15,7 @@ from gymnasium.vector.utils import batch_space
 from dampen.component import ArgumentError, wrong
 from dampen.controllers.base import Array
 from dampen.gym.course import Course, Outcome
-from dampen.gym.scaling import EFFORT, ByPort
+from dampen.gym.scaling import EFFORT, ByPort, Scaling
 from dampen.simulation.scenario import Scenario
 
 
@@ -59,6 +59,11 @@ class BeamVectorEnv(VectorEnv[Array, Array, Array]):
         self._random: list[np.random.Generator | None] = [None] * num_envs
         self._over = np.ones(num_envs, bool)
         self._begun = False
+
+    @property
+    def scaling(self) -> Scaling:
+        """By port, what counts as 1 in actions and observations."""
+        return self.course.scaling
 
     def reset(
         self, *, seed: int | Sequence[int | None] | None = None, options: dict[str, Any] | None = None
