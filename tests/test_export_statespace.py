@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import subprocess
 import sys
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from pathlib import Path
 
 import control
@@ -53,7 +53,8 @@ def receptance(beam: dampen.EulerBernoulliBeam | dampen.TimoshenkoBeam, omega: f
     ei = beam.bending_stiffness * stiffer
     rho = beam.mass_per_length * heavier * omega**2
     along = np.array([[0, 1, shear, 0], [0, 0, 0, 1 / ei], [-rho, 0, 0, 0], [0, -rotary, -1, 0]], complex)
-    end = expm(along * beam.length)[:, 2:]  # clamped: w = phi = 0 at x = 0
+    free = [1, 2] if not thick and beam.base == "pinned" else [2, 3]  # clamped: w = phi = 0 at x = 0
+    end = expm(along * beam.length)[:, free]
     inertia = heavier * omega**2 * np.diag([beam.tip_mass, beam.tip_inertia])
     return np.asarray(end[:2] @ np.linalg.inv(end[2:] - inertia @ end[:2]))
 
@@ -142,11 +143,37 @@ def test_the_base_and_the_modal_forces_are_inputs_where_they_are_asked_for() -> 
     assert control.dcgain(model)[0, -1] == pytest.approx(-weight / LOADED.bending_stiffness, rel=1e-5)
 
 
-def test_a_structure_that_is_free_to_turn_keeps_its_rigid_mode_and_has_no_residual() -> None:
-    free = experiment(dampen.EulerBernoulliBeam(base="pinned"))
-    assert np.sum(np.abs(control.poles(dampen.state_space(free, 4))) < 1e-3) == 2
+def test_a_structure_that_is_free_to_turn_keeps_its_rigid_mode_and_its_residual() -> None:
+    pinned = dampen.EulerBernoulliBeam(base="pinned", damping=DAMPED)
+    assert np.sum(np.abs(control.poles(dampen.state_space(experiment(pinned), 4))) < 1) == 2
+    exact = receptance(pinned, 30.0)
+    bare, few, many = (np.abs(exported(pinned, 30.0, *how) - exact).max() for how in ((8, False), (8, True), (40, True)))
+    assert few < 1e-3 * bare
+    assert many < 1e-9 * np.abs(exact).max()
+
+
+@dataclass(frozen=True)
+class Loose(dampen.Plant):
+    """A mass that nothing holds, known by its one mode."""
+
+    @property
+    def ports(self) -> tuple[dampen.Port, ...]:
+        return (dampen.Port("block", "w", 0.0),)
+
+    def modes(self, count: int, grid: int | None = None) -> dampen.Modes:
+        return dampen.Modes(omega=np.zeros(1), b=np.array([[2.0]]), ports=self.ports)
+
+
+def test_a_mass_known_by_its_mode_is_a_double_integrator_and_lacks_residual_and_base() -> None:
+    loose = dampen.Scenario(
+        plant=Loose(), controller=dampen.NoControl(), disturbance=dampen.NoDisturbance(), numerics=dampen.Numerics(modes=1)
+    )  # fmt: skip
+    assert dampen.state_space(loose)(2.0j) == pytest.approx(4 / -4.0)
+    np.testing.assert_allclose(dampen.state_space(loose, discrete=0.1).B.ravel(), [2 * 0.1**2 / 2, 2 * 0.1])
     with pytest.raises(dampen.ArgumentError, match="`residual` must be false"):
-        dampen.state_space(free, 4, residual=True)
+        dampen.state_space(loose, residual=True)
+    with pytest.raises(dampen.ArgumentError, match="cannot be shaken"):
+        dampen.state_space(loose, inputs=("ports", "base"))
 
 
 @pytest.mark.parametrize("dt", [0.0, 2e-3])

@@ -9,6 +9,7 @@ from typing import Literal, get_args
 import numpy as np
 
 from dampen.component import ArgumentError, wrong
+from dampen.export.residual import residual_compliance
 from dampen.modal import propagator
 from dampen.plants.base import Modes
 from dampen.simulation.kernel import MODES_AT_MOST
@@ -53,7 +54,8 @@ def linear_model(
     inputs:   "ports": forces F [N, N m];  "base": acceleration a of the base [m/s^2], y then is seen from the base;  "modal":
               f_i of a distributed load, int f(x, t) phi_i(x) dx for mass-normalised shapes [N/sqrt(kg)].
     rates:    y' as outputs behind y; they know nothing of R.
-    residual: R, the static compliance that the modes left out would have added, as feedthrough; without it R = 0.
+    residual: R, the static compliance that the modes left out would have added, as feedthrough; without it R = 0. Rigid-body
+              modes are in the model in any case.
     dt:       > 0: the model at the times of a sampler [s], exact for inputs held in between: the simulation's own step.
 
     x is all q, then all q'. Raises ArgumentError for what the plant does not have.
@@ -66,8 +68,9 @@ def linear_model(
     n, ports = found.count, len(found.ports)
     c = np.hstack([found.b, np.zeros_like(found.b)])
     d = np.zeros((ports, len(given)))
-    if residual:
-        _add_residual(d, found, given)
+    if residual and "ports" in inputs:
+        first = sum(_width(found, source) for source in inputs[: list(inputs).index("ports")])
+        d[:, first : first + ports] = residual_compliance(scenario.plant, found, grid)
     outputs = [(port.name, port.motion_unit) for port in found.ports]
     if rates:
         c = np.vstack([c, np.hstack([np.zeros_like(found.b), found.b])])
@@ -106,6 +109,11 @@ def _pushes(modes: Modes, inputs: Sequence[str]) -> tuple[Array, list[tuple[str,
     return np.hstack(columns), given
 
 
+def _width(modes: Modes, source: str) -> int:
+    """How many inputs a source has."""
+    return {"ports": len(modes.ports), "modal": modes.count, "base": 1}[source]
+
+
 def _dynamics(modes: Modes, push: Array, dt: float) -> tuple[Array, Array]:
     """A and B of the modes, (2 modes, ...)."""
     n = modes.count
@@ -115,12 +123,3 @@ def _dynamics(modes: Modes, push: Array, dt: float) -> tuple[Array, Array]:
     p = propagator(modes, dt)
     a = np.block([[np.diag(p.c11), np.diag(p.c12)], [np.diag(p.c21), np.diag(p.c22)]])
     return a, np.vstack([p.psi[:, None] * push, p.c12[:, None] * push])
-
-
-def _add_residual(d: Array, modes: Modes, given: Sequence[tuple[str, str]]) -> None:
-    """Write the residual compliance where port forces come in."""
-    if modes.compliance is None:
-        raise ArgumentError("Argument `residual` must be false: this plant is free to move and has no static compliance.")
-    first = next((i for i, (name, _) in enumerate(given) if name == f"{modes.ports[0].name}_{modes.ports[0].kind}"), None)
-    if first is not None:
-        d[:, first : first + len(modes.ports)] = modes.residual_compliance
