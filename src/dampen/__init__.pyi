@@ -54,6 +54,7 @@ from .disturbances.moving_load import MovingLoad as MovingLoad
 from .disturbances.none import NoDisturbance as NoDisturbance
 from .disturbances.recorded import Recorded as Recorded
 from .disturbances.sum import Sum as Sum
+from .export.statespace import state_space as state_space
 from .plants.assembled import Assembled as Assembled
 from .plants.assembled import AssembledPort as AssembledPort
 from .plants.assembled import AssembledShape as AssembledShape

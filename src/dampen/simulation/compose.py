@@ -8,7 +8,7 @@ from functools import cache
 from types import ModuleType
 from typing import Any
 
-from dampen.simulation import kernel, log_barrier, members, tan_barrier
+from dampen.simulation import kernel, log_barrier, members, tan_barrier, windows
 from dampen.simulation.compiled import bind, compiled, is_cached
 
 BARRIERS: dict[str, ModuleType] = {"log": log_barrier, "tan": tan_barrier}
@@ -44,6 +44,10 @@ class Composition:
         learning = {} if relearn is None else {"LEARNS": True, "relearn": relearn}
         return bind(members.run_members, run_trial=self.bind(), PORTS=self.ports, **learning)
 
+    def bind_windows(self) -> Callable[..., None]:
+        """What takes many runs through a sample period each, around the same kernel."""
+        return bind(windows.run_windows, run_trial=self.bind(), PORTS=self.ports)
+
 
 @cache
 def compiled_kernel(composition: Composition) -> Any:
@@ -55,6 +59,12 @@ def compiled_kernel(composition: Composition) -> Any:
 def compiled_members(composition: Composition, relearn: Callable[..., Any] | None) -> Any:
     """The same for the members of a batch."""
     return compiled(composition.bind_members(relearn))
+
+
+@cache
+def compiled_windows(composition: Composition) -> Any:
+    """The same for runs that are stepped from outside."""
+    return compiled(composition.bind_windows())
 
 
 def is_ready(kernel_function: Any) -> bool:

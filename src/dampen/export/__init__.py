@@ -1,0 +1,1 @@
+"""What leaves for other tools: plants and controllers as models and code."""
