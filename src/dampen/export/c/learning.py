@@ -14,7 +14,6 @@ from dampen.export.c.blueprint import Blueprint
 from dampen.export.c.numbers import literal
 
 Array = np.ndarray
-SINGLE_TOLERANCE = 1e-5  # of conjugate gradients in float
 
 
 @dataclass(frozen=True)
@@ -31,12 +30,14 @@ class Slot:
 
 @dataclass(frozen=True)
 class Table:
-    """A constant table: (rows, columns). moves: whether it has a row for each sample, and not one for all."""
+    """A constant table: (rows, columns). moves: whether it has a row for each sample, and not one for all; wide: of doubles,
+    whatever the controller computes in."""
 
     name: str
     values: Array
     note: str
     moves: bool = False
+    wide: bool = False
 
 
 @dataclass(frozen=True)
@@ -61,9 +62,9 @@ def learning_of(blue: Blueprint) -> Learning:
     return Learning()
 
 
-def a_trial(blue: Blueprint, name: str, note: str) -> Slot:
+def a_trial(blue: Blueprint, name: str, note: str, type: str = "dampen_real") -> Slot:
     """A number for every sample and port."""
-    return Slot(name, "[DAMPEN_SAMPLES][DAMPEN_PORTS]", blue.samples * blue.ports, note)
+    return Slot(name, "[DAMPEN_SAMPLES][DAMPEN_PORTS]", blue.samples * blue.ports, note, type)
 
 
 def pointwise(blue: Blueprint, controller: PointwiseLearning) -> Learning:
@@ -106,18 +107,19 @@ def low_pass(cutoff: float, dt: float, single: bool) -> dict[str, Any]:
 
 
 def lifted(blue: Blueprint, controller: NormOptimalILC) -> Learning:
-    """The response of the structure, its weights, and the vectors of conjugate gradients."""
-    setting, single = blue.setting, blue.single
+    """The response of the structure, its weights, and the vectors of conjugate gradients: all in double, for what is to be solved
+    is badly conditioned."""
+    setting = blue.setting
     response = setting.response().reshape(blue.samples, -1)
     notes = {"learned": "learned commands", "error": "tracking errors", "rest": "", "way": "", "product": ""}
     names = {
-        "effort": literal(controller.effort_weight, single),
-        "ridge": literal(controller.effort_weight + controller.change_weight, single),
-        "tolerance": literal(SINGLE_TOLERANCE if single else TOLERANCE, single),
+        "effort": literal(controller.effort_weight),
+        "ridge": literal(controller.effort_weight + controller.change_weight),
+        "tolerance": literal(TOLERANCE),
         "iterations": ITERATIONS,
     }
     tables = (
-        Table("RESPONSE", response, "errors, by port, after a unit of command, by port, in the first sample", True),
-        Table("WEIGHT", setting.by_port(controller.error_weight, 1.0)[None, :], "of the error, by port"),
+        Table("RESPONSE", response, "errors, by port, after a unit of command, by port, in the first sample", True, True),
+        Table("WEIGHT", setting.by_port(controller.error_weight, 1.0)[None, :], "of the error, by port", wide=True),
     )
-    return Learning(("learned",), tuple(a_trial(blue, *item) for item in notes.items()), tables, names)
+    return Learning(("learned",), tuple(a_trial(blue, *item, type="double") for item in notes.items()), tables, names)

@@ -128,7 +128,16 @@ def names_of(
     """The names that templates use."""
     sampling, single = blue.scenario.sampling, blue.single
     functions = translator.text
-    written = [{"name": t.name, "note": t.note, "rows": rows(t.values, single), "columns": t.values.shape[1]} for t in tables]
+    written = [
+        {
+            "type": "double" if t.wide else "real",
+            "name": t.name,
+            "note": t.note,
+            "rows": rows(t.values, single and not t.wide),
+            "columns": t.values.shape[1],
+        }
+        for t in tables
+    ]
     return {
         "title": blue.scenario.title or blue.scenario.name,
         "name": blue.scenario.name,
