@@ -14,8 +14,8 @@ import numpy as np
 
 from dampen.export.c.blueprint import Guards, blueprint
 from dampen.export.c.recording import Recorded, record
-from dampen.export.c.rounding import float_bound
 from dampen.export.c.source import source_of
+from dampen.export.c.write import bound_of
 from dampen.simulation.bench import Bench
 from dampen.simulation.scenario import Scenario
 
@@ -25,8 +25,8 @@ CHECKED = ("-O1", "-g", "-fsanitize=address,undefined", "-fno-sanitize-recover=a
 SHIM = """
 #include "controller.h"
 static dampen_controller c;
-void start(void) { dampen_init(&c); }
-int step(const double *readings, double *commands, double *drives)
+void bench_start(void) { dampen_init(&c); }
+int bench_step(const double *readings, double *commands, double *drives)
 {
     dampen_real reading[DAMPEN_PORTS], command[DAMPEN_PORTS];
     for (int p = 0; p < DAMPEN_PORTS; p++) reading[p] = (dampen_real)readings[p];
@@ -39,23 +39,23 @@ int step(const double *readings, double *commands, double *drives)
 #endif
     return status;
 }
-int end_trial(const double *readings)
+int bench_end_trial(const double *readings)
 {
     dampen_real reading[DAMPEN_PORTS];
     for (int p = 0; p < DAMPEN_PORTS; p++) reading[p] = (dampen_real)readings[p];
     return dampen_end_trial(&c, reading);
 }
-void restart(void) { dampen_restart(&c); }
-int replaced(void) { return (int)c.replaced; }
-unsigned long size(void) { return sizeof c; }
-int trial(int count, const double *readings, double *commands, double *drives)
+void bench_restart(void) { dampen_restart(&c); }
+int bench_replaced(void) { return (int)c.replaced; }
+unsigned long bench_size(void) { return sizeof c; }
+int bench_trial(int count, const double *readings, double *commands, double *drives)
 {
     int worst = 0;
     for (int i = 0; i < count; i++) {
-        const int status = step(readings + i * DAMPEN_PORTS, commands + i * DAMPEN_PORTS, drives + i * DAMPEN_PORTS);
+        const int status = bench_step(readings + i * DAMPEN_PORTS, commands + i * DAMPEN_PORTS, drives + i * DAMPEN_PORTS);
         worst = status > worst ? status : worst;
     }
-    const int status = end_trial(readings + count * DAMPEN_PORTS);
+    const int status = bench_end_trial(readings + count * DAMPEN_PORTS);
     return status > worst ? status : worst;
 }
 """
@@ -69,21 +69,21 @@ class Bare:
     ports: int
 
     def start(self) -> None:
-        self.library.start()
+        self.library.bench_start()
 
     def step(self, reading: np.ndarray) -> tuple[int, np.ndarray, np.ndarray]:
         """Status, commands, drives."""
         command, drive = np.zeros(self.ports), np.zeros(self.ports)
-        status = self.library.step(pointer(reading), pointer(command), pointer(drive))
+        status = self.library.bench_step(pointer(reading), pointer(command), pointer(drive))
         return status, command, drive
 
     def end_trial(self, reading: np.ndarray) -> int:
-        return int(self.library.end_trial(pointer(reading)))
+        return int(self.library.bench_end_trial(pointer(reading)))
 
     def trial(self, readings: np.ndarray) -> tuple[int, np.ndarray, np.ndarray]:
         """A trial and its end: the worst status, commands and drives."""
         commands, drives = np.zeros((len(readings) - 1, self.ports)), np.zeros((len(readings) - 1, self.ports))
-        status = self.library.trial(len(commands), pointer(readings), pointer(commands), pointer(drives))
+        status = self.library.bench_trial(len(commands), pointer(readings), pointer(commands), pointer(drives))
         return status, commands, drives
 
 
@@ -109,8 +109,8 @@ def built(case: Scenario, folder: Path, single: bool = False, guards: Guards | N
     driven = ("-DDRIVEN",) if source.stages else ()
     compile_c(COMPILERS[0], ("-O2", "-shared", "-fPIC", *driven), [folder / "controller.c", folder / "shim.c"], name)
     library = ctypes.CDLL(str(name))
-    library.size.restype = ctypes.c_ulong
-    library.start()
+    library.bench_size.restype = ctypes.c_ulong
+    library.bench_start()
     return Bare(library, len(case.ports))
 
 
@@ -128,7 +128,6 @@ def recorded(case_key: str, case: Any) -> tuple[Bench, tuple[Recorded, ...]]:
     return bench, tuple(record(case(), bench))
 
 
-def bound_of(case: Scenario, trials: tuple[Recorded, ...], bench: Bench) -> np.ndarray:
-    """The stated bound in float."""
-    largest = np.abs(np.concatenate([trial.commands for trial in trials])).max(axis=0)
-    return float_bound(blueprint(case, True, None, bench), largest)
+def stated_bound(case: Scenario, trials: tuple[Recorded, ...], bench: Bench) -> np.ndarray:
+    """The stated bound in float, from the first two trials, as an export has it."""
+    return bound_of(blueprint(case, True, None, bench), trials[:2])

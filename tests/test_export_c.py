@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+import math
 import os
 import subprocess
+from dataclasses import dataclass, replace
 from pathlib import Path
 
 import numpy as np
@@ -15,7 +17,10 @@ from dampen.export.c.blueprint import Guards, blueprint
 from dampen.export.c.footprint import footprint
 from dampen.export.c.source import source_of
 from dampen.export.c.write import export_c
-from tests.c_bench import CHECKED, COMPILERS, bound_of, built, compile_c, recorded, written
+from dampen.signals.base import Signal
+from dampen.simulation.bench import Bench
+from dampen.simulation.compiled import bind
+from tests.c_bench import CHECKED, COMPILERS, built, compile_c, recorded, stated_bound, written
 
 pytestmark = pytest.mark.skipif(not COMPILERS, reason="no C compiler here")
 
@@ -34,7 +39,8 @@ CASES: dict[str, tuple[str, ...]] = {
     "adaptive-boundary": ("he2017-sampled", "controller.kind=adaptive-boundary", "task.trials=3"),
     "pd": (
         "he2017-sampled", "controller.kind=boundary-damping", FEEDBACK, "controller.stiffness={tip_w=5.0,tip_phi=3.0}",
-        "sampling.command_limit={tip_w=0.6}", "task.trials=2", "controller.feedforward={tip_w={kind='sinusoid',amplitude=0.1,frequency=1.0}}",
+        "sampling.command_limit={tip_w=0.6}", "task.trials=2",
+        "controller.feedforward={tip_w={kind='sinusoid',amplitude=0.1,frequency=1.0}}",
     ),
     "p-type": (
         "he2017-sampled", "controller.kind=p-type-ilc", LEARNING, FEEDBACK, "controller.lead=0.005", "controller.forgetting=0.1",
@@ -66,7 +72,7 @@ def replayed(name: str, folder: Path, single: bool) -> tuple[list[int], np.ndarr
     commands = np.array([commands for _, commands, _ in ran])
     expected = np.array([trial.commands for trial in trials])
     rates = np.array([trial.rates for trial in trials])
-    return [status for status, _, _ in ran], commands, expected, (bound_of(case(name), trials, bench), rates)
+    return [status for status, _, _ in ran], commands, expected, (stated_bound(case(name), trials, bench), rates)
 
 
 @pytest.mark.parametrize("name", [name for name in CASES if name != "norm-optimal"])
@@ -103,7 +109,10 @@ def test_the_files_compile_without_a_warning_and_the_selftest_passes_under_the_s
 ) -> None:
     export_c(case(name), tmp_path, single, GOING)
     done = subprocess.run(
-        ["make", "-C", str(tmp_path), f"CC={compiler}", "controller.o", "test", "sanitize"], capture_output=True, text=True, check=False
+        ["make", "-C", str(tmp_path), f"CC={compiler}", "controller.o", "test", "sanitize"],
+        capture_output=True,
+        text=True,
+        check=False,
     )
     assert done.returncode == 0, done.stdout + done.stderr
     assert "warning" not in done.stderr
@@ -126,7 +135,7 @@ def test_the_record_is_as_large_as_the_readme_says(tmp_path: Path) -> None:
             folder.mkdir()
             bench, _ = recorded(name, lambda name=name: case(name))
             bare = built(case(name), folder, single, bench=bench)
-            assert footprint(source_of(blueprint(case(name), single, bench=bench))).memory == bare.library.size()
+            assert footprint(source_of(blueprint(case(name), single, bench=bench))).memory == bare.library.bench_size()
 
 
 FUZZ = """
@@ -200,12 +209,12 @@ def test_a_broken_sensor_is_bridged_then_latched(tmp_path: Path) -> None:
     gone = np.array([np.nan, readings[50, 1]])
     statuses = [bare.step(gone)[0] for _ in range(7)]
     assert statuses == [1] * 5 + [4] * 2
-    assert bare.library.replaced() == 6
+    assert bare.library.bench_replaced() == 6
     status, command, drive = bare.step(readings[60])
     assert status == 4
     assert not command.any()
     assert not drive.any()
-    bare.library.restart()
+    bare.library.bench_restart()
     assert bare.step(readings[60])[0] == 0
 
 
@@ -222,7 +231,10 @@ def test_a_single_bad_reading_changes_the_command_little(tmp_path: Path) -> None
 def test_crossing_the_constraint_stops_unless_told_to_keep_going(tmp_path: Path) -> None:
     (tmp_path / "going").mkdir()
     bench, trials = recorded("implicit", lambda: case("implicit"))
-    careful, bold = built(case("implicit"), tmp_path, bench=bench), built(case("implicit"), tmp_path / "going", False, GOING, bench)
+    careful, bold = (
+        built(case("implicit"), tmp_path, bench=bench),
+        built(case("implicit"), tmp_path / "going", False, GOING, bench),
+    )
     for bare in (careful, bold):
         for k in range(20):
             bare.step(trials[0].readings[k])
@@ -263,6 +275,46 @@ def test_the_drive_is_what_goes_into_the_simulated_actuator(tmp_path: Path) -> N
             np.testing.assert_array_equal(drives[:, p], expected)
 
 
+def test_in_closed_loop_with_a_quantiser_the_c_controller_reproduces_the_run(tmp_path: Path) -> None:
+    """Called from the simulation's own loop in the place of the sampled law: plant, actuators, delay and sensors are the same.
+
+    The loop is plain Python here: its sums round otherwise than the compiled one's, which the quantiser takes away again. With
+    DAMPEN_WHOLE_LOOP set, all 25 trials as shipped: some minutes.
+    """
+    whole = "DAMPEN_WHOLE_LOOP" in os.environ
+    one = dampen.read_scenario(
+        "he2017-sampled", [] if whole else ["numerics.modes=24", "task.trials=2", "task.trial_duration=0.5"]
+    )
+    bench = Bench(one)
+    expected = dampen.simulate(one, bench=bench)
+    bare = built(one, tmp_path, bench=bench)
+    statuses = []
+
+    def reading_of(s, ports, sampler):  # type: ignore[no-untyped-def]
+        exact = [ports[p].y + sampler.reference[s, p] + sampler.noise[s, p] for p in range(2)]
+        return np.array([quantum * math.floor(y / quantum + 0.5) for y, quantum in zip(exact, sampler.quantum, strict=True)])
+
+    def sample(k, ports, sampler):  # type: ignore[no-untyped-def]
+        s, row = k // sampler.period, sampler.ahead + k // sampler.period
+        if k == s * sampler.period:
+            status, sampler.issued[row], _ = bare.step(reading_of(s, ports, sampler))
+            statuses.append(status)
+        for p in range(2):
+            ports[p].feedforward = sampler.issued[sampler.ahead + (k - sampler.delay) // sampler.period, p]
+
+    def measure(s, ports, sampler):  # type: ignore[no-untyped-def]
+        statuses.append(bare.end_trial(reading_of(s, ports, sampler)))
+
+    composition, classes = bench.composition(one)
+    with_c = bind(composition.bind(), sample=sample, measure=measure)
+    bench.kernel = lambda scenario, compile=True: (with_c, classes)  # type: ignore[method-assign]
+    found = dampen.simulate(one, bench=bench)
+    assert set(statuses) == {0}
+    assert len(statuses) == one.task.trials * (one.law_grid[0] + 1)
+    np.testing.assert_array_equal(found["issued"], expected["issued"])
+    np.testing.assert_allclose(found["y"], expected["y"], atol=1e-12)
+
+
 def driven(stage: object, commands: np.ndarray) -> np.ndarray:
     """Commands through a stage's own function."""
     row, state = np.array(stage.row(0.001)), np.array(stage.start() or (0.0,))  # type: ignore[attr-defined]
@@ -279,13 +331,24 @@ def driven(stage: object, commands: np.ndarray) -> np.ndarray:
     [
         ("he2017", (), 'must be "sampled"'),
         ("he2017-sampled", ("controller.kind=none",), "nothing to export"),
-        ("he2017-sampled", ("task.constraint.tip_w={high={kind='sinusoid',amplitude=0.01,frequency=0.3,offset=0.3}}",), "trial 1"),
     ],
 )
 def test_what_cannot_be_exported_is_refused_in_one_line(name: str, overrides: tuple[str, ...], why: str) -> None:
     with pytest.raises(ArgumentError, match=why) as refused:
         blueprint(dampen.read_scenario(name, overrides))
     assert len(refused.value.lines) == 1
+
+
+@dataclass(frozen=True)
+class Wandering(Signal):
+    def sample(self, t: np.ndarray, trial: int) -> np.ndarray:
+        return np.full(len(t), 0.01 * trial)
+
+
+def test_a_reference_that_changes_from_trial_to_trial_is_refused() -> None:
+    plain = case("implicit")
+    with pytest.raises(ArgumentError, match="those of trial 1 are not those of trial 0"):
+        blueprint(replace(plain, task=replace(plain.task, reference={"tip_w": Wandering()})))
 
 
 def test_a_users_own_law_is_refused(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:

@@ -12,10 +12,11 @@ from dampen.component import ArgumentError
 
 HELP = "Take a controller or a structure elsewhere: C for a microcontroller."
 C_HELP = (
-    "Write a scenario's sampled controller as C99, for a microcontroller: no dynamic memory, nothing but math.h, fixed tables; with "
-    "guards, a self-test, a Makefile and a README that tells how to wire it.\n\nExamples:\n\n"
+    "Write a scenario's sampled controller as C99, for a microcontroller: no dynamic memory, nothing but math.h, fixed tables; "
+    "with guards, a self-test, a Makefile and a README that tells how to wire it.\n\nExamples:\n\n"
     "  dampen export c he2017-sampled --out firmware\n\n"
-    "  dampen export c he2017-tuned --set numerics.mode=sampled --set 'sampling.command_limit={tip_w=5.0,tip_phi=5.0}' --float\n\n"
+    "  dampen export c he2017-tuned --float --set numerics.mode=sampled "
+    "--set 'sampling.command_limit={tip_w=5.0,tip_phi=5.0}'\n\n"
     "Exit status: 0, or 2 for bad input and for what cannot be exported."
 )
 
@@ -30,7 +31,9 @@ def export() -> None:
 @app.command("c", help=C_HELP)
 def c(
     scenario: ScenarioArgument,
-    folder: Annotated[Path | None, typer.Option("--out", metavar="DIR", help="where to write (default: a new folder in runs/)")] = None,
+    folder: Annotated[
+        Path | None, typer.Option("--out", metavar="DIR", help="where to write (default: a new folder in runs/)")
+    ] = None,
     single: Annotated[bool, typer.Option("--float/--double", help="in float, or in double")] = False,
     set_: SetOption = None,
     believed: Annotated[

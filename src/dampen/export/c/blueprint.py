@@ -15,8 +15,8 @@ from dampen.controllers.norm_optimal_ilc import NormOptimalILC
 from dampen.controllers.p_type_ilc import PTypeILC
 from dampen.controllers.pointwise import PointwiseLearning
 from dampen.simulation.bench import Bench
-from dampen.simulation.compose import BARRIERS
 from dampen.simulation.compiled import bind
+from dampen.simulation.compose import BARRIERS
 from dampen.simulation.digital import Sampler
 from dampen.simulation.digital_law import port_law
 from dampen.simulation.digital_side import prepare, sampler_of
@@ -71,8 +71,12 @@ class Blueprint:
 
     @property
     def ceiling(self) -> Array:
-        """(ports,) the output's limit: as stated, or the largest number that there is."""
-        return np.minimum(self.sampler.ceiling, LARGEST[not self.single])
+        """(ports,) the output's limit: as stated, in float the next number that is not beyond it, or the largest there is."""
+        stated = np.minimum(self.sampler.ceiling, LARGEST[not self.single])
+        if not self.single:
+            return stated
+        rounded = stated.astype(np.float32)
+        return np.where(rounded > stated, np.nextafter(rounded, np.float32(0)), rounded).astype(float)
 
     @property
     def learning(self) -> str:
@@ -129,8 +133,8 @@ def refuse_wandering(scenario: Scenario, setting: Setting) -> None:
         for name in ("reference", "low", "high"):
             if not np.array_equal(getattr(setting, name), getattr(other, name)):
                 raise ArgumentError(
-                    f"Argument `task` must have the same reference and constraint in every trial for an export as C, but those of "
-                    f"trial {trial} are not those of trial 0."
+                    "Argument `task` must have the same reference and constraint in every trial for an export as C, but those "
+                    f"of trial {trial} are not those of trial 0."
                 )
 
 

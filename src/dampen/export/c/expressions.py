@@ -19,7 +19,9 @@ OPERATORS: dict[type[ast.AST], tuple[str, int]] = {
     ast.Eq: ("==", ORDER), ast.NotEq: ("!=", ORDER),
 }  # fmt: skip
 # what <math.h> calls the functions of Python's math and numpy
-MATH = {name: name for name in ("sin", "cos", "tan", "atan", "atan2", "exp", "expm1", "log", "log1p", "sqrt", "floor", "copysign")}
+MATH = {
+    name: name for name in ("sin", "cos", "tan", "atan", "atan2", "exp", "expm1", "log", "log1p", "sqrt", "floor", "copysign")
+}
 NUMPY = {"minimum": "least", "maximum": "most", "abs": "fabs"}
 BUILTINS = {"min": "least", "max": "most", "abs": "fabs"}
 OWN = ("least", "most", "squared")

@@ -7,7 +7,7 @@ from collections import Counter
 from collections.abc import Callable
 from dataclasses import dataclass
 from types import SimpleNamespace
-from typing import Any
+from typing import Any, ClassVar
 
 import numpy as np
 
@@ -35,7 +35,7 @@ class Footprint:
 class Counting(float):
     """A number that counts what is done with it; `tally` is the count of the moment."""
 
-    tally: Counter[str] = Counter()
+    tally: ClassVar[Counter[str]] = Counter()
 
 
 def _operator(name: str, kind: str) -> None:
@@ -109,7 +109,7 @@ def law_operations(source: Source, share: float) -> Counter[str]:
     """Of the law, with errors at a share of the constraint."""
     blue, sampler = source.blue, source.blue.sampler
     room = np.where(np.isfinite(sampler.high[0]), sampler.high[0], 1.0)
-    known = {name: [Counting(0.1)] * blue.ports for name in Sample._fields}
+    known: dict[str, Any] = {name: [Counting(0.1)] * blue.ports for name in Sample._fields}
     known["error"] = [Counting(v) for v in share * room]
     known["low"], known["high"] = ([Counting(v) for v in table[0]] for table in (sampler.low, sampler.high))
     parameters = [Counting(v) for v in np.ravel(sampler.parameters)]

@@ -2,10 +2,11 @@
 
     bound = MARGIN 2^-24 ( Y (K_e + K_v G) + memory + U )
 
-Y: largest reading that is believed; G: of the estimator from error to rate, the sum of its impulse response's magnitudes; K_e,
+Y: largest reading of the run; G: of the estimator from error to rate, the sum of its impulse response's magnitudes; K_e,
 K_v: of the law, per unit of error and of rate; U: largest command. `memory` is what rounding leaves in what is learned over all
-trials. It is a first-order estimate with a margin, not a proof: a law that switches (Sgn as it is) may moreover take the other
-side where the rate is within rounding of zero, and u_slow of the implicit law adds up what it is given.
+trials. Of a linear law with states, K_e is the sum of its |commands| after a unit of error, as many times as it has states:
+each is rounded at each sample. It is a first-order estimate with a margin, not a proof: a law that switches (Sgn as it is) may
+moreover take the other side where the rate is within rounding of zero, and u_slow of the implicit law adds up what it is given.
 """
 
 from __future__ import annotations
@@ -23,15 +24,14 @@ Array = np.ndarray
 MARGIN, UNIT, IMPULSE, NUDGE = 4.0, 2.0**-24, 2000, 1e-6
 
 
-def float_bound(blue: Blueprint, largest: Array) -> Array:
-    """(ports,) bound on the difference of commands; largest: (ports,) the largest of these."""
-    reach = np.abs(blue.believed).max(axis=1)
+def float_bound(blue: Blueprint, reach: Array, largest: Array) -> Array:
+    """(ports,) bound on the difference of commands; reach, largest: (ports,) the largest readings and commands."""
     rate = rate_gain(blue.sampler)
     if blue.law.__code__ is port_law.__code__:
         by_error, by_rate = port_law_gains(blue)
         moved = reach * (by_error + by_rate * rate)
     else:
-        moved = linear_gains(blue) @ reach
+        moved = len(blue.sampler.state) * linear_gains(blue) @ reach
     return MARGIN * UNIT * (moved + memory_gain(blue, rate, reach) + largest)
 
 
@@ -41,7 +41,7 @@ def rate_gain(sampler: Sampler) -> Array:
     e_hat, v_hat, total = np.zeros(ports), np.zeros(ports), np.zeros(ports)
     for k in range(IMPULSE):
         for p in range(ports):
-            follow(p, float(k == 0), sampler.seconds, sampler.gain_1[p], sampler.gain_2[p], e_hat, v_hat)
+            follow(p, float(k == 0), sampler.seconds, sampler.gain_1[p], sampler.gain_2[p], e_hat, v_hat)  # type: ignore[no-untyped-call]
         total += np.abs(v_hat)
     return total
 

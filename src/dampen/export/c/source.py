@@ -59,7 +59,9 @@ class Source:
 def templates(name: str) -> Template:
     """A template of this folder."""
     loader = PackageLoader("dampen.export.c")
-    environment = Environment(loader=loader, undefined=StrictUndefined, trim_blocks=True, lstrip_blocks=True, keep_trailing_newline=True)
+    environment = Environment(
+        loader=loader, undefined=StrictUndefined, trim_blocks=True, lstrip_blocks=True, keep_trailing_newline=True
+    )
     return environment.get_template(f"{name}.jinja")
 
 

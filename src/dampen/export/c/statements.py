@@ -19,7 +19,7 @@ class Statements:
         self.in_place: set[str] = set()
 
     def function(self, tree: ast.FunctionDef) -> list[str]:
-        """The body: names that are given once, and used only after that in the same block, are declared there; the others first."""
+        """The body: names given once, and used only after that in the same block, are declared there; the others first."""
         self.in_place = set(given_once(tree))
         loops = {node.target.id for node in ast.walk(tree) if isinstance(node, ast.For) and isinstance(node.target, ast.Name)}
         first = []
@@ -92,7 +92,9 @@ class Statements:
     def loop(self, node: ast.For) -> str:
         """`for name in range(...)`."""
         call = node.iter
-        if not (isinstance(call, ast.Call) and isinstance(call.func, ast.Name) and call.func.id == "range" and len(call.args) < 3):
+        if not (
+            isinstance(call, ast.Call) and isinstance(call.func, ast.Name) and call.func.id == "range" and len(call.args) < 3
+        ):
             raise self.expressions.refuse(node)
         ends = [self.expressions(argument, whole=True) for argument in call.args]
         first, last = ends if len(ends) == 2 else ("0", ends[0])

@@ -36,7 +36,7 @@ class Translator:
     lengths: what `len(name)` is; kinds: arguments whose kind is known by name; single: float for double.
     """
 
-    def __init__(self, lengths: Mapping[str, str] = {}, kinds: Mapping[str, str] = {}, single: bool = False):  # noqa: B006
+    def __init__(self, lengths: Mapping[str, str] = {}, kinds: Mapping[str, str] = {}, single: bool = False):
         self.lengths, self.kinds, self.single = lengths, kinds, single
         self.done: dict[str, tuple[Any, CFunction]] = {}
 

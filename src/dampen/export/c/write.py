@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -45,12 +46,14 @@ def export_c(scenario: Scenario, folder: Path, single: bool = False, guards: Gua
     blue = blueprint(scenario, single, guards, bench)
     source = source_of(blue)
     trials = list(record(scenario, bench, 2))
-    largest = np.abs(np.concatenate([trial.commands for trial in trials])).max(axis=0)
-    bound = float_bound(blue, largest) if single else (LIFTED if blue.learning == "lifted" else NEAR) * largest + 1e-300
+    bound = bound_of(blue, trials)
     test = test_names(blue, trials, bound)
     cost = footprint(source)
     readme = readme_names(source, cost, bound, len(test["readings"]))
-    files = {name: source.file(name, **test, **readme) for name in ("controller.h", "controller.c", "selftest.c", "Makefile", "README.md")}
+    files = {
+        name: source.file(name, **test, **readme)
+        for name in ("controller.h", "controller.c", "selftest.c", "Makefile", "README.md")
+    }
     files["scenario.toml"] = to_toml(scenario)
     try:
         folder.mkdir(parents=True, exist_ok=True)
@@ -59,6 +62,15 @@ def export_c(scenario: Scenario, folder: Path, single: bool = False, guards: Gua
     except OSError as error:
         raise ArgumentError(f"Output folder `{folder}` cannot be written: {error.strerror or error}.") from None
     return Export(folder, blue, cost, bound)
+
+
+def bound_of(blue: Blueprint, trials: Sequence[Recorded]) -> Array:
+    """(ports,) how far commands may be from recorded ones."""
+    reach = np.abs(np.concatenate([trial.readings for trial in trials])).max(axis=0)
+    largest = np.abs(np.concatenate([trial.commands for trial in trials])).max(axis=0)
+    if blue.single:
+        return float_bound(blue, reach, largest)
+    return (LIFTED if blue.learning == "lifted" else NEAR) * np.maximum(largest, largest.max()) + 1e-300
 
 
 def test_names(blue: Blueprint, trials: list[Recorded], bound: Array) -> dict[str, Any]:
@@ -101,7 +113,9 @@ def readme_names(source: Source, cost: Footprint, bound: Array, count: int) -> d
     limited = np.isfinite(sampler.ceiling)
     names = [port.name for port in blue.setting.ports]
     chains = [compensation(blue.scenario, p) for p in range(blue.ports)]
-    switching = np.reshape(sampler.parameters, (blue.ports, -1))[:, 4] if blue.law.__code__ is port_law.__code__ else np.array([-1.0])
+    switching = (
+        np.reshape(sampler.parameters, (blue.ports, -1))[:, 4] if blue.law.__code__ is port_law.__code__ else np.array([-1.0])
+    )
     bounds = [f"{b:.2g} {port.effort_unit} at {port.name}" for b, port in zip(bound, blue.setting.ports, strict=True)]
     learned = len(source.learning.memories)
     return {
@@ -132,7 +146,7 @@ def wiring(blue: Blueprint, p: int) -> dict[str, str]:
         "name": port.name,
         "motion": f"displacement [{port.motion_unit}]" if port.motion_unit == "m" else f"angle [{port.motion_unit}]",
         "effort": f"{port.kind} [{port.effort_unit}]",
-        "believed": "{:.6g} to {:.6g} {}".format(*blue.believed[p], port.motion_unit),
+        "believed": f"{blue.believed[p, 0]:.6g} to {blue.believed[p, 1]:.6g} {port.motion_unit}",
         "constraint": ends if np.isfinite(high).any() else "none",
         "limit": f"{ceiling:.6g} {port.effort_unit}" if np.isfinite(ceiling) else f"none (below {literal(blue.ceiling[p])})",
     }
