@@ -109,7 +109,7 @@ def rounding(a, b):  # type: ignore[no-untyped-def]
         total = total - (a - (b - i)) * (a / (b * i)) / count
         if i == 3 or not (a < b <= 2.0):
             continue
-        total += a**2 if count > 2 else -(-b)
+        total += a**2 if count > 2 else -(b - a)
     while total > 10.0:
         total /= 7
     return total * (1 / count) - ((a > 0.0) - (a < 0.0)) * math.pi
