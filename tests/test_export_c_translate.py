@@ -141,7 +141,11 @@ def tries(a):  # type: ignore[no-untyped-def]
         return 0.0
 
 
-@pytest.mark.parametrize("function", [swaps, picks, powers, tries])
+def names(double):  # type: ignore[no-untyped-def]
+    return 2.0 * double
+
+
+@pytest.mark.parametrize("function", [swaps, picks, powers, tries, names])
 def test_what_c_cannot_have_is_refused_with_the_functions_name(function: FunctionType) -> None:
     with pytest.raises(ArgumentError, match=f"test_export_c_translate.{function.__name__}` has .* cannot be written in C"):
         Translator().add(function)

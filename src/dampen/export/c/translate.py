@@ -19,6 +19,12 @@ from dampen.export.c.expressions import Expressions, whole_globals
 from dampen.export.c.statements import Statements
 from dampen.export.c.types import ARRAY, INT, REAL, argument_kinds, assignments, local_kinds
 
+# names that mean something else in C
+TAKEN = set(
+    "auto break case char const continue default do double else enum extern float for goto if inline int long register restrict "
+    "return short signed sizeof static struct switch typedef union unsigned void volatile while real least most squared".split()
+)
+
 
 @dataclass(frozen=True)
 class CFunction:
@@ -67,6 +73,9 @@ class Translator:
         called = {name: callee.name for name, callee in callees.items()}
         where = f"{function.__module__}.{function.__name__}"
         expressions = Expressions(where, kinds, function.__globals__, self.single, self.lengths, called)
+        taken = sorted(TAKEN & set(kinds))
+        if taken:
+            raise ArgumentError(f"Function `{where}` has {taken[0]!r} as a name, which cannot be written in C.")
         returns = returned(tree)
         body = Statements(expressions, arguments, returns).function(tree)
         unused = sorted(set(arguments) - {n.id for n in ast.walk(tree) if isinstance(n, ast.Name)})
