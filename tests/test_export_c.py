@@ -150,6 +150,14 @@ def test_every_shipped_scenario_leaves_as_c(name: str, tmp_path: Path) -> None:
     compile_c(COMPILERS[0], ("-c", "-O2"), [tmp_path / "controller.c"], tmp_path / "controller.o")
 
 
+def test_a_title_cannot_end_the_comment_that_it_stands_in(tmp_path: Path) -> None:
+    hostile = "title='*/ int main(void) { return 1; } /* ??/'"
+    written(dampen.read_scenario("he2017-sampled", (hostile,)), tmp_path)
+    compile_c(COMPILERS[0], ("-c", "-O2"), [tmp_path / "controller.c"], tmp_path / "controller.o")
+    for name in ("controller.h", "controller.c"):
+        assert "*/ int main" not in (tmp_path / name).read_text()
+
+
 def test_guards_that_do_not_act_change_no_bit(tmp_path: Path) -> None:
     bench, trials = recorded("implicit", lambda: case("implicit"))
     (tmp_path / "wide").mkdir()

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass
+from itertools import islice
 
 import numpy as np
 
@@ -25,9 +26,7 @@ class Recorded:
 
 def record(scenario: Scenario, bench: Bench, trials: int | None = None) -> Iterator[Recorded]:
     """The first trials of a run, all by default."""
-    for done in passes(scenario, bench):
-        if trials is not None and done.trial >= trials:
-            return
+    for done in islice(passes(scenario, bench), trials):
         sampler = done.sampler
         readings = readings_of(sampler.error, done.setting.reference)
         yield Recorded(readings, sampler.rate.copy(), sampler.issued[sampler.ahead :].copy())

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from functools import cache
@@ -62,7 +63,18 @@ def templates(name: str) -> Template:
     environment = Environment(
         loader=loader, undefined=StrictUndefined, trim_blocks=True, lstrip_blocks=True, keep_trailing_newline=True
     )
+    environment.filters |= {"remark": remark, "identifier": identifier}
     return environment.get_template(f"{name}.jinja")
+
+
+def remark(text: str) -> str:
+    """Text of the user's own as part of a comment, which it must not end."""
+    return " ".join(text.split()).replace("*/", "* /").replace("/*", "/ *").replace("??", "? ?")
+
+
+def identifier(name: str) -> str:
+    """A port's name as part of a macro's."""
+    return re.sub(r"[^A-Z0-9]", "_", name.upper())
 
 
 def source_of(blue: Blueprint) -> Source:

@@ -20,10 +20,11 @@ from dampen.export.c.statements import Statements
 from dampen.export.c.types import ARRAY, INT, REAL, argument_kinds, assignments, local_kinds
 
 # names that mean something else in C
-TAKEN = set(
-    "auto break case char const continue default do double else enum extern float for goto if inline int long register restrict "
-    "return short signed sizeof static struct switch typedef union unsigned void volatile while real least most squared".split()
-)
+WORDS = """
+auto break case char const continue default do double else enum extern float for goto if inline int long register restrict return
+short signed sizeof static struct switch typedef union unsigned void volatile while real least most squared
+"""
+TAKEN = frozenset(WORDS.split())
 
 
 @dataclass(frozen=True)
