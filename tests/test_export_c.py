@@ -208,6 +208,12 @@ int main(int argc, char **argv)
         for (int p = 0; p < DAMPEN_PORTS; p++) {
             if (!(fabs((double)command[p]) <= limit)) { printf("step %ld: %g\\n", i, (double)command[p]); return 1; }
         }
+#ifdef DRIVEN
+        dampen_drive(&c, command, command);
+        for (int p = 0; p < DAMPEN_PORTS; p++) {
+            if (!(fabs((double)command[p]) <= 4 * limit)) { printf("step %ld: drive %g\\n", i, (double)command[p]); return 1; }
+        }
+#endif
         if (status == DAMPEN_TRIAL_OVER) dampen_end_trial(&c, reading);
         if (status >= DAMPEN_STOPPED_SENSOR && next() % 4 == 0) dampen_restart(&c);
         if (status == DAMPEN_STOPPED_FAULT) dampen_init(&c);
@@ -232,9 +238,10 @@ def test_any_bit_pattern_as_reading_gives_numbers_within_the_output_limit(
     wild = {"tip_w": (-1e30, 1e30), "tip_phi": (-1e30, 1e30)}
     limited = dampen.read_scenario(CASES[name][0], [*CASES[name][1:], LIMITS])
     bench, _ = recorded(name, lambda: case(name))
-    written(limited, tmp_path, single, Guards({} if stop else wild, 5, stop), bench)
+    source = written(limited, tmp_path, single, Guards({} if stop else wild, 5, stop), bench)
+    driven = ("-DDRIVEN",) if source.stages else ()
     (tmp_path / "fuzz.c").write_text(FUZZ)
-    compile_c(COMPILERS[0], CHECKED, [tmp_path / "controller.c", tmp_path / "fuzz.c"], tmp_path / "fuzz")
+    compile_c(COMPILERS[0], (*CHECKED, *driven), [tmp_path / "controller.c", tmp_path / "fuzz.c"], tmp_path / "fuzz")
     done = subprocess.run([tmp_path / "fuzz", str(steps), "6.0"], capture_output=True, text=True, check=False)
     assert done.returncode == 0, done.stdout + done.stderr
     seen = list(map(int, done.stdout.split()))
@@ -313,7 +320,7 @@ def test_the_drive_is_what_goes_into_the_simulated_actuator(tmp_path: Path) -> N
         for p in range(2):
             expected = commands[:, p]
             for stage in one.chain(p)[:-1]:
-                expected = driven(stage, expected)
+                expected = through(stage, expected)
             np.testing.assert_array_equal(drives[:, p], expected)
 
 
@@ -357,7 +364,7 @@ def test_in_closed_loop_with_a_quantiser_the_c_controller_reproduces_the_run(tmp
     np.testing.assert_allclose(found["y"], expected["y"], atol=1e-12)
 
 
-def driven(stage: object, commands: np.ndarray) -> np.ndarray:
+def through(stage: object, commands: np.ndarray) -> np.ndarray:
     """Commands through a stage's own function."""
     row, state = np.array(stage.row(0.001)), np.array(stage.start() or (0.0,))  # type: ignore[attr-defined]
     out = np.zeros_like(commands)
