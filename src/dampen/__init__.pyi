@@ -54,6 +54,7 @@ from .disturbances.moving_load import MovingLoad as MovingLoad
 from .disturbances.none import NoDisturbance as NoDisturbance
 from .disturbances.recorded import Recorded as Recorded
 from .disturbances.sum import Sum as Sum
+from .export.c.write import export_c as export_c
 from .export.statespace import state_space as state_space
 from .plants.assembled import Assembled as Assembled
 from .plants.assembled import AssembledPort as AssembledPort

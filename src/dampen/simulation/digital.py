@@ -87,8 +87,7 @@ def sample(k, ports, sampler):
         sampled_law(known, sampler.state, sampler.parameters, sampler.issued[row])
         for p in range(PORTS):
             sampler.rate[s, p] = sampler.v_hat[p]
-            command, ceiling = sampler.issued[row, p], sampler.ceiling[p]
-            sampler.issued[row, p] = min(max(command, -ceiling), ceiling)
+            sampler.issued[row, p] = limited(sampler.issued[row, p], sampler.ceiling[p])
     due = sampler.ahead + (k - sampler.delay) // period
     for p in range(PORTS):
         ports[p].feedforward = sampler.issued[due, p]
@@ -105,8 +104,18 @@ def measure(s, ports, sampler):
         if sampler.begun[0] == 0.0:
             sampler.e_hat[p] = error
         elif s < len(sampler.rate):
-            expected = sampler.e_hat[p] + sampler.seconds * sampler.v_hat[p]
-            surprise = error - expected
-            sampler.e_hat[p] = expected + sampler.gain_1[p] * surprise
-            sampler.v_hat[p] += sampler.gain_2[p] * surprise / sampler.seconds
+            follow(p, error, sampler.seconds, sampler.gain_1[p], sampler.gain_2[p], sampler.e_hat, sampler.v_hat)
     sampler.begun[0] = 1.0
+
+
+def follow(p, error, seconds, gain_1, gain_2, e_hat, v_hat):
+    """Bring the estimates of one port up to date with its tracking error."""
+    expected = e_hat[p] + seconds * v_hat[p]
+    surprise = error - expected
+    e_hat[p] = expected + gain_1 * surprise
+    v_hat[p] += gain_2 * surprise / seconds
+
+
+def limited(command, ceiling):
+    """A command, at most as large as its limit."""
+    return min(max(command, -ceiling), ceiling)

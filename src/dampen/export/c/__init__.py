@@ -1,0 +1,1 @@
+"""The sampled controller as C99."""

@@ -1,0 +1,43 @@
+"""Trials of the sampled controller as recorded by the simulation: what the C controller must do when it reads the same."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from itertools import islice
+
+import numpy as np
+
+from dampen.simulation.bench import Bench
+from dampen.simulation.passes import passes
+from dampen.simulation.scenario import Scenario
+
+Array = np.ndarray
+
+
+@dataclass(frozen=True)
+class Recorded:
+    """One trial. readings (samples + 1, ports): the last is the one after the trial; rates and commands (samples, ports)."""
+
+    readings: Array
+    rates: Array
+    commands: Array
+
+
+def record(scenario: Scenario, bench: Bench, trials: int | None = None) -> Iterator[Recorded]:
+    """The first trials of a run, all by default."""
+    for done in islice(passes(scenario, bench), trials):
+        sampler = done.sampler
+        readings = readings_of(sampler.error, done.setting.reference)
+        yield Recorded(readings, sampler.rate.copy(), sampler.issued[sampler.ahead :].copy())
+
+
+def readings_of(error: Array, reference: Array) -> Array:
+    """Readings whose distance from the reference rounds to the recorded error."""
+    readings = np.asarray(error + reference)
+    for _ in range(4):
+        off = error - (readings - reference)
+        toward = np.nextafter(readings, np.where(off > 0, np.inf, -np.inf))
+        closer = np.abs(error - (toward - reference)) < np.abs(off)
+        readings = np.where(closer, toward, readings)
+    return readings
