@@ -59,6 +59,11 @@ def content_of(path: str) -> bytes:
         raise _unreadable(path, error) from None
 
 
+def is_netcdf(content: bytes) -> bool:
+    """Whether these bytes begin like a NetCDF file."""
+    return content.startswith((b"\x89HDF", b"CDF"))
+
+
 def _unreadable(path: str, error: OSError) -> ArgumentError:
     return ArgumentError(f"Argument `file` names `{path}`, which cannot be read: {error.strerror or error}.")
 
@@ -95,14 +100,13 @@ def _read(path: str, sha256: str, wanted: tuple[tuple[str, str], ...], state: tu
     if found != sha256:
         raise ArgumentError(f"Argument `sha256` must be {found[:12]}..., that of `{Path(path).name}`, but is '{sha256[:12]}...'.")
     names = [column for _, column in wanted]
-    is_netcdf = content[:4] == b"\x89HDF" or content[:3] == b"CDF"
-    known = _netcdf_names(content) if is_netcdf else _header(content, path)[0]
+    known = _netcdf_names(content) if is_netcdf(content) else _header(content, path)[0]
     for argument, column in wanted:
         if column not in known:
             raise ArgumentError(
                 f"Argument `{argument}` names the column `{column}`, which `{Path(path).name}` has not{suggestion(column, known)}"
             )
-    table = _netcdf(content, names, path) if is_netcdf else _csv(content, names, path)
+    table = _netcdf(content, names, path) if is_netcdf(content) else _csv(content, names, path)
     for (argument, column), values in zip(wanted, table, strict=True):
         _check_column(argument, column, values, path)
     step = np.diff(table[0])

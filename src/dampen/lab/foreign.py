@@ -12,12 +12,6 @@ import numpy as np
 from dampen.component import ArgumentError
 
 Array = np.ndarray
-HDF5, CLASSIC = b"\x89HDF", b"CDF"
-
-
-def is_netcdf(content: bytes) -> bool:
-    """Whether these bytes begin like a NetCDF file."""
-    return content.startswith((HDF5, CLASSIC))
 
 
 def attributes(content: bytes) -> dict[str, Any]:

@@ -2,9 +2,7 @@
 
 from __future__ import annotations
 
-import hashlib
 import io
-import re
 import zipfile
 from collections.abc import Mapping
 from pathlib import Path
@@ -13,10 +11,11 @@ from typing import Any
 import numpy as np
 
 from dampen.component import ArgumentError
-from dampen.lab.foreign import arrays, attributes, is_netcdf, plain_copy
+from dampen.lab.foreign import arrays, attributes, plain_copy
 from dampen.lab.limits import ATTACHMENT, UNPACKED
-from dampen.lab.opening import renamed
+from dampen.lab.opening import attachment_name, renamed
 from dampen.lab.tables import Trust, scenario_of
+from dampen.recording import is_netcdf
 from dampen.scenarios.read import parse
 from dampen.simulation.bench import output_points
 from dampen.simulation.result import Layout, Result
@@ -83,9 +82,7 @@ def attach(content: bytes, name: str, trust: Trust) -> str:
     suffix = Path(name).suffix.lower()
     if suffix not in ATTACHABLE:
         raise ArgumentError(f"Attachment `{name}` must be one of {', '.join(ATTACHABLE)}, but is {suffix or 'without suffix'!r}.")
-    print_ = hashlib.sha256(content).hexdigest()[:8]
-    stem = re.sub(r"[^A-Za-z0-9_-]+", "-", Path(name).stem).strip("-")[:40].removesuffix(f"-{print_}") or "file"
-    path = trust.attachments / f"{stem}-{print_}{suffix}"
+    path = trust.attachments / attachment_name(name, content)
     if is_netcdf(content):
         plain_copy(content, path, UNPACKED)
     elif unpacked(content) > UNPACKED:

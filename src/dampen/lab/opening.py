@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import hashlib
+import re
 from collections.abc import Mapping
 from dataclasses import dataclass
 from pathlib import Path
@@ -71,9 +72,16 @@ class NotingFiles(Builder):
 def copied(path: Path, attachments: Path) -> str:
     """Copy a file to the attachments; its name there."""
     content = path.read_bytes()
-    kept = attachments / f"{path.stem}-{hashlib.sha256(content).hexdigest()[:8]}{path.suffix}"
+    kept = attachments / attachment_name(path.name, content)
     kept.write_bytes(content)
     return kept.name
+
+
+def attachment_name(name: str, content: bytes) -> str:
+    """What a file is called among the attachments: its own stem, and a hash of its content unless it is there already."""
+    mark = hashlib.sha256(content).hexdigest()[:8]
+    stem = re.sub(r"[^A-Za-z0-9_-]+", "-", Path(name).stem).strip("-")[:40].removesuffix(f"-{mark}") or "file"
+    return f"{stem}-{mark}{Path(name).suffix.lower()}"
 
 
 def renamed(value: Any, names: Mapping[str, str]) -> Any:

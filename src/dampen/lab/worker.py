@@ -21,10 +21,10 @@ from typing import Any, BinaryIO
 
 from dampen.component import ArgumentError
 from dampen.lab.desk import Desk, Left
-from dampen.lab.foreign import is_netcdf
 from dampen.lab.handed_in import attach, contents, result_in, table_in
 from dampen.lab.tables import Trust, faults, scenario_of
 from dampen.lab.takeaway import take
+from dampen.recording import is_netcdf
 from dampen.scenarios.results import load
 from dampen.simulation.result import Result
 
