@@ -55,6 +55,7 @@ from .disturbances.none import NoDisturbance as NoDisturbance
 from .disturbances.recorded import Recorded as Recorded
 from .disturbances.sum import Sum as Sum
 from .export.c.write import export_c as export_c
+from .export.fmu.write import export_fmu as export_fmu
 from .export.statespace import state_space as state_space
 from .plants.assembled import Assembled as Assembled
 from .plants.assembled import AssembledPort as AssembledPort

@@ -18,6 +18,15 @@ C_HELP = (
     "--set 'sampling.command_limit={tip_w=5.0,tip_phi=5.0}'\n\n"
     "Exit status: 0, or 2 for bad input and for what cannot be exported."
 )
+FMU_HELP = (
+    "Write a scenario's plant, its sampled controller, or both in closed loop as a functional mock-up unit (FMI 2.0, "
+    "co-simulation) for Simulink, OpenModelica, FMPy and their like: C inside, built for this machine where there is a C "
+    "compiler, with its sources for others.\n\nExamples:\n\n"
+    "  dampen export fmu he2017-sampled --what plant --out plant.fmu\n\n"
+    "  dampen export fmu he2017-sampled --what controller --out controller.fmu\n\n"
+    "  dampen export fmu he2017-sampled --out loop.fmu\n\n"
+    "Exit status: 0, or 2 for bad input and for what cannot be exported."
+)
 STATESPACE_HELP = (
     "Write the plant as a state-space model: forces at the ports in, displacements at the ports out, as A, B, C, D with names, "
     "units and the scenario, to a .mat file (MATLAB, Octave) or an .npz file (NumPy). From Python: dampen.state_space.\n\n"
@@ -32,6 +41,14 @@ RESULT_HELP = (
 
 app = typer.Typer(no_args_is_help=True, rich_markup_mode=None, help="Write plant, controller or results for other tools.")
 FileOption = Annotated[Path, typer.Option("--out", metavar="FILE", help="where to write: a file ending in .mat or .npz")]
+RangeOption = Annotated[
+    list[str] | None,
+    typer.Option("--range", metavar="PORT=LOW:HIGH", help="readings that are believed (default: twice the constraint)"),
+]
+PatienceOption = Annotated[
+    int, typer.Option("--patience", min=0, help="readings in a row that may be replaced before the controller stops")
+]
+KeepGoingOption = Annotated[bool, typer.Option("--keep-going", help="do not stop where the constraint is crossed")]
 
 
 @app.command(help=STATESPACE_HELP)
@@ -95,14 +112,9 @@ def c(
     ] = None,
     single: Annotated[bool, typer.Option("--float/--double", help="in float, or in double")] = False,
     set_: SetOption = None,
-    believed: Annotated[
-        list[str] | None,
-        typer.Option("--range", metavar="PORT=LOW:HIGH", help="readings that are believed (default: twice the constraint)"),
-    ] = None,
-    patience: Annotated[
-        int, typer.Option("--patience", min=0, help="readings in a row that may be replaced before the controller stops")
-    ] = 5,
-    keep_going: Annotated[bool, typer.Option("--keep-going", help="do not stop where the constraint is crossed")] = False,
+    believed: RangeOption = None,
+    patience: PatienceOption = 5,
+    keep_going: KeepGoingOption = False,
 ) -> None:
     """`dampen export c`."""
     from dampen.export.c.blueprint import Guards
@@ -124,6 +136,43 @@ def c(
     if any(port not in case.sampling.command_limit for port in case.ports):
         err.print("Note: without `sampling.command_limit` for every port, commands are numbers of any size.", markup=False)
     out.print(f"Controller: {done.folder}   (try `make test` there)", markup=False)
+
+
+@app.command(help=FMU_HELP)
+def fmu(
+    scenario: ScenarioArgument,
+    file: Annotated[Path, typer.Option("--out", metavar="FILE", help="where to write: a file ending in .fmu")],
+    what: Annotated[str, typer.Option("--what", metavar="WHAT", help="plant, controller or loop: both")] = "loop",
+    sources_only: Annotated[bool, typer.Option("--sources-only", help="build nothing; whoever imports it does")] = False,
+    set_: SetOption = None,
+    believed: RangeOption = None,
+    patience: PatienceOption = 5,
+    keep_going: KeepGoingOption = False,
+) -> None:
+    """`dampen export fmu`."""
+    from typing import get_args
+
+    from dampen.export.c.blueprint import Guards
+    from dampen.export.fmu.write import What, export_fmu
+    from dampen.scenarios.read import read_scenario
+
+    if what not in get_args(What):
+        raise ArgumentError(f"Option `--what` must be plant, controller or loop, but is {what!r}.")
+    if file.suffix != ".fmu":
+        raise ArgumentError(f"Output file `{file}` must end in .fmu.")
+    guards = Guards(ranges(believed or []), patience, not keep_going)
+    case = read_scenario(scenario, set_ or ())
+    with working("Writing down what trials bring, and compiling"):
+        unit = export_fmu(case, file, what, guards, not sources_only)  # type: ignore[arg-type]  # it has been looked at
+    roles = [("inputs", "INPUT"), ("outputs", "OUTPUT"), ("parameters", ""), ("to be seen", "LOCAL")]
+    known = {"INPUT", "OUTPUT", "LOCAL"}
+    counts = [(name, sum(v.role == role if role else v.role not in known for v in unit.variables)) for name, role in roles]
+    show_table(("Variables", "number"), [(name, str(count)) for name, count in counts], ("number",))
+    out.print(unit.timing, markup=False)
+    if not unit.built:
+        reason = "as asked for" if sources_only else "no C compiler was found here, CC names one"
+        err.print(f"Note: the unit has its sources, but no library built for this machine: {reason}.", markup=False)
+    out.print(f"Unit: {unit.file}   ({unit.file.stat().st_size / 1e6:.2g} MB)", markup=False)
 
 
 def ranges(given: list[str]) -> dict[str, tuple[float, float]]:

@@ -47,6 +47,7 @@ class Blueprint:
 
     law: the function of a sample; parameters, states: of it.   feedforward, coulomb (samples, ports): without what is learned.
     reference (samples + 1, ports), low, high (samples, ports): of the tracking error.   believed (ports, 2): readings.
+    tunable: whether the law's parameters and the output limits stand in the record, to be changed while it runs.
     """
 
     scenario: Scenario
@@ -56,6 +57,7 @@ class Blueprint:
     law: Callable[..., None]
     sampler: Sampler
     believed: Array
+    tunable: bool = False
 
     @property
     def controller(self) -> Controller:
@@ -87,7 +89,9 @@ class Blueprint:
         return "none"
 
 
-def blueprint(scenario: Scenario, single: bool = False, guards: Guards | None = None, bench: Bench | None = None) -> Blueprint:
+def blueprint(
+    scenario: Scenario, single: bool = False, guards: Guards | None = None, bench: Bench | None = None, tunable: bool = False
+) -> Blueprint:
     """The scenario's controller, ready to be written in C. Raises ArgumentError where that cannot be done."""
     refuse(scenario)
     bench, guards = bench or Bench(scenario), guards or Guards()
@@ -95,7 +99,8 @@ def blueprint(scenario: Scenario, single: bool = False, guards: Guards | None = 
     refuse_wandering(scenario, setting)
     law = law_of(scenario, begun(scenario.controller, setting), setting)
     sampler = prepare(sampler_of(scenario, setting), scenario, setting, law, 0)
-    return Blueprint(scenario, setting, single, guards, law_function(scenario), sampler, believed(scenario, setting, guards))
+    law_itself, readings = law_function(scenario), believed(scenario, setting, guards)
+    return Blueprint(scenario, setting, single, guards, law_itself, sampler, readings, tunable)
 
 
 def refuse(scenario: Scenario) -> None:

@@ -53,13 +53,13 @@ class Source:
 
     def file(self, name: str, **more: Any) -> str:
         """A file of the export."""
-        return templates(name).render(**self.names, **more)
+        return template(name).render(**self.names, **more)
 
 
 @cache
-def templates(name: str) -> Template:
-    """A template of this folder."""
-    loader = PackageLoader("dampen.export.c")
+def template(name: str, package: str = "dampen.export.c") -> Template:
+    """A template of a package's folder of templates."""
+    loader = PackageLoader(package)
     environment = Environment(
         loader=loader, undefined=StrictUndefined, trim_blocks=True, lstrip_blocks=True, keep_trailing_newline=True
     )
@@ -162,6 +162,7 @@ def names_of(
         "seconds": literal(blue.sampler.seconds),
         "delay": literal(sampling.delay),
         "single": single,
+        "tunable": blue.tunable,
         "states": len(blue.sampler.state),
         "patience": blue.guards.patience,
         "stop_at_constraint": blue.guards.stop_at_constraint,
