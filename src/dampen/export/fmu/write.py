@@ -51,6 +51,8 @@ def export_fmu(scenario: Scenario, file: Path, what: What = "loop", guards: Guar
         raise wrong("what", "be plant, controller or loop", what)
     if file.suffix != ".fmu":
         raise ArgumentError(f"Output file `{file}` must end in .fmu.")
+    if not file.absolute().parent.is_dir():
+        raise ArgumentError(f"Output file `{file}` cannot be written: there is no folder {file.parent}.")
     bench = Bench(scenario)
     plant = Plant(scenario, bench)
     source = source_of(blueprint(scenario, False, guards, bench, tunable=True)) if what != "plant" else None
