@@ -108,7 +108,12 @@ SENSORS = {"noise": {"p0": 1e-4, "p1": 5e-5}, "quantum": {"p1": 2e-4}, "command_
 SAMPLINGS = {
     "explicit": dampen.Sampling(period=PERIOD, delay=3 * STEP, switching="explicit", filter_time=0.004, **SENSORS),
     "boundary-layer": dampen.Sampling(
-        period=PERIOD, delay=7 * STEP, switching="boundary-layer", rate="observer", observer_bandwidth=20.0, layer=0.02
+        period=PERIOD,
+        delay=7 * STEP,
+        switching="boundary-layer",
+        rate="observer",
+        observer_bandwidth=20.0,
+        layer={"p0": 0.02, "p1": 0.02},
     ),
     "implicit": dampen.Sampling(period=PERIOD, switching="implicit", compliance={"p0": 0.3}, filter_time=0.0, **SENSORS),
     "late": dampen.Sampling(period=PERIOD, delay=12 * STEP, switching="implicit", filter_time=0.004, barrier_edge=0.6),
@@ -169,7 +174,7 @@ def test_a_law_through_samples_agrees_with_the_oracle(name: str) -> None:
         law.stiffness,
         law.barrier_gain,
         sampling.barrier_edge,
-        sampling.layer,
+        sampling.layer.get("p0", 0.01),
         compliances(sampling, modes),
         shape,
         sampling.delay / PERIOD,

@@ -34,11 +34,9 @@ const asSentence = (text: string): string => text.charAt(0).toUpperCase() + text
 export const isEmpty = (value: Parameter["default"]): boolean =>
   value === undefined || value === "" || (typeof value === "object" && Object.keys(value).length === 0);
 
-/** The unit at one port: the unit of a table by port, or its text, names one for forces and one for torques, "[N/m, N m/rad]". */
-export function unitAt(port: Port | undefined, { unit, doc }: Pick<Described, "unit" | "doc">): string {
-  const bracketed = [...doc.matchAll(/\[([^\]]+,[^\]]+)\]/g)].pop()?.[1] ?? "";
-  const both = unit || bracketed;
-  const [force, torque] = both.split(",").map((part) => part.trim());
+/** The unit at one port: that of a table by port names one for forces and one for torques, "N/m, N m/rad". */
+export function unitAt(port: Port | undefined, { unit }: Pick<Described, "unit">): string {
+  const [force, torque] = unit.split(",").map((part) => part.trim());
   if (torque === undefined) return force ?? "";
   return (port?.kind === "torque" ? torque : port && force) || "";
 }

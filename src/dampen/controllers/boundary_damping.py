@@ -6,7 +6,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import Annotated, ClassVar, Literal
 
-from annotated_types import Ge
+from annotated_types import Ge, Unit
 from typing_extensions import Doc
 
 from dampen.controllers.base import Controller, Memory, PortLaw, Setting, named
@@ -28,13 +28,15 @@ class BoundaryDamping(Controller):
 
     kind: ClassVar[str] = "boundary-damping"
 
-    damping: Annotated[dict[str, float], Ge(0), Doc("by port, damping [N s/m, N m s]")] = field(default_factory=dict)
-    stiffness: Annotated[dict[str, float], Ge(0), Doc("by port, stiffness [N/m, N m/rad]")] = field(default_factory=dict)
-    feedforward: Annotated[dict[str, float | Signal], Doc("by port, feedforward [N, N m], a number or a signal")] = field(
+    damping: Annotated[dict[str, float], Ge(0), Unit("N s/m, N m s"), Doc("by port, damping")] = field(default_factory=dict)
+    stiffness: Annotated[dict[str, float], Ge(0), Unit("N/m, N m/rad"), Doc("by port, stiffness")] = field(default_factory=dict)
+    feedforward: Annotated[dict[str, float | Signal], Unit("N, N m"), Doc("by port, feedforward, a number or a signal")] = field(
         default_factory=dict
     )
     barrier: Annotated[Literal["log", "tan", "none"], Doc("shape of the barrier")] = "none"
-    barrier_gain: Annotated[dict[str, float], Ge(0), Doc("by port, gain of the barrier [N m]")] = field(default_factory=dict)
+    barrier_gain: Annotated[dict[str, float], Ge(0), Unit("N m"), Doc("by port, gain of the barrier")] = field(
+        default_factory=dict
+    )
 
     @property
     def barrier_shape(self) -> Literal["log", "tan", "none"]:

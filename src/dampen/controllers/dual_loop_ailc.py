@@ -55,4 +55,5 @@ class DualLoopAILC(PointwiseLearning, InnerLoop):
 
     def learning_row(self, setting: Setting) -> Array:
         learning, observing = setting.by_kind(self.alpha_4, self.alpha_7), setting.by_kind(self.alpha_8, self.alpha_9)
-        return np.array([learning, observing, np.full(len(setting.ports), self.assumed_backlash.width)])
+        widths = [self.assumed_at(port).width for port in setting.ports]
+        return np.array([learning, observing, widths])

@@ -87,6 +87,9 @@ class InnerLoop(Controller):
     assumed_backlash: Annotated[AssumedBacklash, Doc("what the controller believes of the backlash")] = field(
         default_factory=AssumedBacklash
     )
+    assumed_torque_backlash: Annotated[
+        AssumedBacklash | None, Doc("the same at torque ports; left out: the same numbers, as in the paper")
+    ] = None
 
     @property
     def barrier_shape(self) -> Literal["log", "tan", "none"]:
@@ -101,7 +104,11 @@ class InnerLoop(Controller):
         return ("f", "ports")
 
     def compensation(self, port: Port) -> tuple[Stage, ...]:
-        return (FlankInverse(self.assumed_backlash),) if self.compensate else ()
+        return (FlankInverse(self.assumed_at(port)),) if self.compensate else ()
+
+    def assumed_at(self, port: Port) -> AssumedBacklash:
+        """What the controller believes of the backlash at a port."""
+        return self.assumed_torque_backlash or self.assumed_backlash if port.kind == "torque" else self.assumed_backlash
 
     def search(self, setting: Setting) -> Mapping[str, str]:
         """The gains that act: of each channel that has an actuator, damping and barrier in units of the structure's scales,

@@ -77,12 +77,12 @@ class LQG(SampledFeedback):
 
     modes: Annotated[int, Gt(0), Doc("number of modes in the controller's model")] = 6
     energy_weight: Annotated[float, Ge(0), Unit("1/J"), Doc("weight of the modal energies")] = 1.0
-    error_weight: Annotated[dict[str, float], Ge(0), Doc("by port, weight of its displacement [1/m^2, 1/rad^2]")] = field(
+    error_weight: Annotated[dict[str, float], Ge(0), Unit("1/m^2, 1/rad^2"), Doc("by port, weight of its displacement")] = field(
         default_factory=dict
     )
-    effort_weight: Annotated[float, Gt(0), Doc("weight of the commands [1/N^2, 1/(N m)^2]")] = 0.1
-    force_noise: Annotated[float, Gt(0), Doc("assumed standard deviation of the disturbing forces [N, N m]")] = 0.1
-    sensor_noise: Annotated[float, Gt(0), Doc("assumed standard deviation of the readings [m, rad]")] = 1e-4
+    effort_weight: Annotated[float, Gt(0), Unit("1/N^2, 1/(N m)^2"), Doc("weight of the commands")] = 0.1
+    force_noise: Annotated[float, Gt(0), Unit("N, N m"), Doc("assumed standard deviation of the disturbing forces")] = 0.1
+    sensor_noise: Annotated[float, Gt(0), Unit("m, rad"), Doc("assumed standard deviation of the readings")] = 1e-4
 
     def ports_named(self) -> Mapping[str, str]:
         return named(error_weight=self.error_weight)

@@ -7,7 +7,7 @@ from dataclasses import dataclass, field
 from typing import Annotated, Any, ClassVar
 
 import numpy as np
-from annotated_types import Ge
+from annotated_types import Ge, Unit
 from typing_extensions import Doc
 
 from dampen.component import wrong
@@ -33,15 +33,15 @@ class NormOptimalILC(Controller):
 
     kind: ClassVar[str] = "norm-optimal-ilc"
 
-    error_weight: Annotated[dict[str, float], Ge(0), Doc("by port, weight of the error [1/m^2, 1/rad^2]; left out: 1")] = field(
+    error_weight: Annotated[dict[str, float], Ge(0), Unit("1/m^2, 1/rad^2"), Doc("by port, weight of the error; left out: 1")] = (
+        field(default_factory=dict)
+    )
+    effort_weight: Annotated[float, Ge(0), Unit("1/N^2, 1/(N m)^2"), Doc("weight of the command")] = 0.0
+    change_weight: Annotated[float, Ge(0), Unit("1/N^2, 1/(N m)^2"), Doc("weight of the command's change between trials")] = 1e-4
+    damping: Annotated[dict[str, float], Ge(0), Unit("N s/m, N m s"), Doc("by port, damping of the feedback")] = field(
         default_factory=dict
     )
-    effort_weight: Annotated[float, Ge(0), Doc("weight of the command [1/N^2, 1/(N m)^2]")] = 0.0
-    change_weight: Annotated[float, Ge(0), Doc("weight of the command's change between trials [1/N^2, 1/(N m)^2]")] = 1e-4
-    damping: Annotated[dict[str, float], Ge(0), Doc("by port, damping of the feedback [N s/m, N m s]")] = field(
-        default_factory=dict
-    )
-    stiffness: Annotated[dict[str, float], Ge(0), Doc("by port, stiffness of the feedback [N/m, N m/rad]")] = field(
+    stiffness: Annotated[dict[str, float], Ge(0), Unit("N/m, N m/rad"), Doc("by port, stiffness of the feedback")] = field(
         default_factory=dict
     )
 

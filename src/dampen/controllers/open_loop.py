@@ -6,6 +6,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import Annotated, ClassVar
 
+from annotated_types import Unit
 from typing_extensions import Doc
 
 from dampen.controllers.base import Controller, Memory, PortLaw, Setting, named
@@ -19,7 +20,7 @@ class OpenLoop(Controller):
 
     kind: ClassVar[str] = "open-loop"
 
-    command: Annotated[dict[str, float | Signal], Doc("by port, command [N, N m], a number or a signal")] = field(
+    command: Annotated[dict[str, float | Signal], Unit("N, N m"), Doc("by port, command, a number or a signal")] = field(
         default_factory=dict
     )
 

@@ -28,14 +28,14 @@ class PTypeILC(Controller):
 
     kind: ClassVar[str] = "p-type-ilc"
 
-    learning: Annotated[dict[str, float], Doc("by port, learning gain [N/m, N m/rad]")] = field(default_factory=dict)
+    learning: Annotated[dict[str, float], Unit("N/m, N m/rad"), Doc("by port, learning gain")] = field(default_factory=dict)
     lead: Annotated[float, Ge(0), Unit("s"), Doc("how much later than one sample the error is taken")] = 0.0
     forgetting: Annotated[float, Ge(0), Lt(1), Doc("share of the learned command that is forgotten from trial to trial")] = 0.0
     cutoff: Annotated[float | None, Gt(0), Unit("Hz"), Doc("cut-off frequency of Q; left out: Q = 1")] = None
-    damping: Annotated[dict[str, float], Ge(0), Doc("by port, damping of the feedback [N s/m, N m s]")] = field(
+    damping: Annotated[dict[str, float], Ge(0), Unit("N s/m, N m s"), Doc("by port, damping of the feedback")] = field(
         default_factory=dict
     )
-    stiffness: Annotated[dict[str, float], Ge(0), Doc("by port, stiffness of the feedback [N/m, N m/rad]")] = field(
+    stiffness: Annotated[dict[str, float], Ge(0), Unit("N/m, N m/rad"), Doc("by port, stiffness of the feedback")] = field(
         default_factory=dict
     )
 
@@ -84,7 +84,7 @@ class PDTypeILC(PTypeILC):
 
     kind: ClassVar[str] = "pd-type-ilc"
 
-    rate_learning: Annotated[dict[str, float], Doc("by port, learning gain on the rate [N s/m, N m s]")] = field(
+    rate_learning: Annotated[dict[str, float], Unit("N s/m, N m s"), Doc("by port, learning gain on the rate")] = field(
         default_factory=dict
     )
 

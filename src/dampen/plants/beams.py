@@ -11,8 +11,9 @@ import numpy as np
 from dampen.plants.base import Constant, Damping, Field
 from dampen.plants.discretisation import Discretisation
 from dampen.plants.discretised import DeflectedPlant
+from dampen.plants.eigen import power_of_two
 from dampen.plants.energies import Roots
-from dampen.plants.profile import Profile, along, sampled
+from dampen.plants.profile import Profile, along, in_units, sampled
 from dampen.plants.spaces import Bending, degree
 from dampen.port import Port
 
@@ -67,13 +68,14 @@ class SlenderBeam:
         return Bending(self.length, degree(count, (rho / ei) ** 0.25) + layers, self.pinned)
 
     def _energies(self, space: Bending) -> Roots:
-        mass = [space.root(0, along(self.mass_per_length))]
+        unit = power_of_two(float(sampled(self.mass_per_length, self.length).max()) * self.length)
+        mass = [space.root(0, in_units(along(self.mass_per_length), unit))]
         for lump in self.lumps:
-            mass += [np.sqrt(lump.mass) * space.at(lump.x), np.sqrt(lump.inertia) * space.at(lump.x, 1)]
-        stiffness = [space.root(2, along(self.bending_stiffness))]
+            mass += [np.sqrt(lump.mass / unit) * space.at(lump.x), np.sqrt(lump.inertia / unit) * space.at(lump.x, 1)]
+        stiffness = [space.root(2, in_units(along(self.bending_stiffness), unit))]
         if self.tension:
-            stiffness.append(space.root(1, Constant(self.tension)))
-        return Roots(np.vstack(mass), np.vstack(stiffness))
+            stiffness.append(space.root(1, Constant(self.tension / unit)))
+        return Roots(np.vstack(mass), np.vstack(stiffness), unit)
 
 
 class SlenderPlant(DeflectedPlant):

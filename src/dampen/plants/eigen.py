@@ -18,10 +18,16 @@ def solve_modes(mass: Array, stiffness: Array, count: int, at_once: bool = False
     s is 0 for a structure that is held, and of the order of the first elastic omega^2 for one that is free to move as a
     rigid body, whose rigid modes have omega = 0 exactly. `at_once`: all modes are found, and the lowest kept, which is
     quicker if those are the most of a few hundred.
+
+    Masses are taken in units of a power of two that goes with the first of them, so that the same structure in other units of
+    mass has the same modes to the last digit.
     """
     from scipy.linalg import eigh
 
     _enough(count, len(mass))
+    heavy = np.diag(mass)[np.diag(mass) > 0]
+    unit = power_of_two(float(heavy[0])) if len(heavy) else 1.0
+    mass, stiffness = mass / unit, stiffness / unit
     rigid = rigid_modes(stiffness)
     shift = elastic_shift(mass, stiffness, rigid) if rigid else 0.0
     held = stiffness + shift * mass if rigid else stiffness
@@ -29,7 +35,7 @@ def solve_modes(mass: Array, stiffness: Array, count: int, at_once: bool = False
         inverse, vectors = (part[..., len(mass) - count :] for part in eigh(mass, held, driver="gvd"))
     else:
         inverse, vectors = eigh(mass, held, subset_by_index=(len(mass) - count, len(mass) - 1))
-    return _unshifted(1 / inverse[::-1], shift, rigid), vectors[:, ::-1] / np.sqrt(inverse[::-1])
+    return _unshifted(1 / inverse[::-1], shift, rigid), vectors[:, ::-1] / np.sqrt(inverse[::-1]) / np.sqrt(unit)
 
 
 def solve_roots(mass_root: Array, stiffness_root: Array, count: int) -> tuple[Array, Array]:
@@ -51,6 +57,11 @@ def solve_roots(mass_root: Array, stiffness_root: Array, count: int) -> tuple[Ar
     _, singular, rows = svd(qr(reduced, mode="r")[0][:size])
     vectors = solve_triangular(triangle, rows[:count].T) / singular[:count]
     return _unshifted(1 / singular[:count] ** 2, shift, rigid), vectors
+
+
+def power_of_two(size: float) -> float:
+    """The power of two next above `size` > 0: dividing by it rounds nothing."""
+    return float(2.0 ** np.frexp(size)[1])
 
 
 def rigid_modes(stiffness: Array) -> int:

@@ -73,28 +73,33 @@ class MassAndStiffness(Energies):
 
 @dataclass(frozen=True)
 class Roots(Energies):
-    """Energies by roots of their matrices, M = A^T A and K = B^T B; A and B (points, dof)."""
+    """Energies by roots of their matrices, M = unit A^T A and K = unit B^T B; A and B (points, dof).
+
+    unit: a power of two that goes with the masses, so that roots of the same structure in other units of mass are the same.
+    """
 
     mass_root: Array
     stiffness_root: Array
+    unit: float = 1.0
 
     @cached_property
     def mass(self) -> Array:  # type: ignore[override]
-        return self.mass_root.T @ self.mass_root
+        return self.unit * (self.mass_root.T @ self.mass_root)
 
     @cached_property
     def stiffness(self) -> Array:  # type: ignore[override]
-        return self.stiffness_root.T @ self.stiffness_root
+        return self.unit * (self.stiffness_root.T @ self.stiffness_root)
 
     def solve(self, count: int) -> tuple[Array, Array]:
-        return solve_roots(self.mass_root, self.stiffness_root, count)
+        omega, vectors = solve_roots(self.mass_root, self.stiffness_root, count)
+        return omega, vectors / np.sqrt(self.unit)
 
     def on(self, basis: Array) -> Roots:
         mass_root, stiffness_root = self.mass_root @ basis, self.stiffness_root @ basis
         if self.rigid:
             free = _rigid_columns(np.sum(mass_root**2, axis=0), np.sum(stiffness_root**2, axis=0), self.rigid)
             stiffness_root[:, free] = 0.0
-        return Roots(_triangle(mass_root), _triangle(stiffness_root))
+        return Roots(_triangle(mass_root), _triangle(stiffness_root), self.unit)
 
 
 def _rigid_columns(mass: Array, stiffness: Array, rigid: int) -> Array:

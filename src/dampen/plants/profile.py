@@ -36,6 +36,11 @@ def along(profile: Profile, name: str = "profile") -> Function:
     return lambda x: _called(profile, name, x)
 
 
+def in_units(function: Function, unit: float) -> Function:
+    """The same function, divided by `unit`."""
+    return Constant(function.value / unit) if isinstance(function, Constant) else lambda x: function(x) / unit
+
+
 def sampled(profile: Profile, length: float, name: str = "profile") -> Array:
     """`profile` at sample points along [0, length]."""
     return along(profile, name)(np.linspace(0, length, SAMPLES))

@@ -114,8 +114,7 @@ def _sampling(result: Result) -> str:
     parts = [f"every {plain_number(1000 * sampling.period)} ms"]
     parts.append(f"delay {plain_number(1000 * sampling.delay)} ms" if sampling.delay else "no delay")
     if not isinstance(scenario.controller, SampledFeedback):
-        layer = f" of {plain_number(sampling.layer)} m/s" if sampling.switching == "boundary-layer" else ""
-        parts.append(f"{sampling.switching} switching{layer}")
+        parts.append(f"{sampling.switching} switching")
     observed = sampling.rate == "observer"
     parts.append(
         f"rate from an observer, {plain_number(sampling.observer_bandwidth)} Hz" if observed else "rate from differences"

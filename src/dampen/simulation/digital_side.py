@@ -16,6 +16,7 @@ from dampen.simulation.scenario import Scenario
 
 Array = np.ndarray
 CAUTION = 3.0
+USUAL_LAYER = 0.01  # m/s, rad/s
 SWITCHING = {"explicit": EXPLICIT, "boundary-layer": LAYER, "implicit": IMPLICIT}
 
 
@@ -109,7 +110,7 @@ def port_law_row(sampling: Sampling, setting: Setting, law: PortLaw) -> Array:
         "barrier": law.barrier,
         "edge": np.full(ports, sampling.barrier_edge),
         "switching": np.full(ports, SWITCHING[sampling.switching]),
-        "layer": np.full(ports, sampling.layer),
+        "layer": setting.by_port(sampling.layer, USUAL_LAYER),
         "compliance": compliance,
         "pending": compliance * 2 / CAUTION * sampling.delay / sampling.period,
     }

@@ -19,8 +19,8 @@ Array = np.ndarray
 class Constraint(Component):
     """Limits low < z < high of a port, where z is its displacement, or its tracking error; each may move with time."""
 
-    high: Annotated[float | Signal, Doc("upper limit [m, rad], a number or a signal")]
-    low: Annotated[float | Signal | None, Doc("lower limit [m, rad]; left out: -high")] = None
+    high: Annotated[float | Signal, Unit("m, rad"), Doc("upper limit, a number or a signal")]
+    low: Annotated[float | Signal | None, Unit("m, rad"), Doc("lower limit; left out: -high")] = None
     on: Annotated[
         Literal["output", "error"], Doc("what is limited: the displacement itself, or its distance from the reference")
     ] = "output"
@@ -47,13 +47,17 @@ class Task(Component):
         Doc("chained: a trial starts where the last one ended (repetitive control); reset: from the plant's initial state"),
     ] = "chained"
     reset_error: Annotated[
-        dict[str, float], Ge(0), Doc("by port, standard deviation of where a reset puts it [m, rad]; the structure bends to it")
+        dict[str, float],
+        Ge(0),
+        Unit("m, rad"),
+        Doc("by port, standard deviation of where a reset puts it; the structure bends to it"),
     ] = field(default_factory=dict)
     seed: Annotated[int, Ge(0), Doc("seed of the reset's errors")] = 0
     reference: Annotated[dict[str, Signal], Doc("by port, what it is to follow; left out: zero")] = field(default_factory=dict)
     constraint: Annotated[
         dict[str, float | tuple[float, float] | Constraint],
-        Doc("by port, a number C for |y| < C, [low, high], or a table with high, low, on [m, rad]"),
+        Unit("m, rad"),
+        Doc("by port, a number C for |y| < C, [low, high], or a table with high, low, on"),
     ] = field(default_factory=dict)
 
     def check(self) -> None:

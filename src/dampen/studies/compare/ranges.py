@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import Any
 
@@ -104,11 +104,25 @@ def fitted(controller: Controller, scenario: Scenario) -> tuple[Controller, tupl
     if unlimited:
         controller = replace(controller, barrier="none")
         notes.append(f"without a barrier, since {', '.join(unlimited)} has no constraint")
-    plays = [stage for port in scenario.ports for stage in scenario.actuators.get(port, ()) if isinstance(stage, Backlash)]
-    if plays and not any(scenario.compensation.values()):
-        assumed = AssumedBacklash(*(float(np.mean([getattr(p, name) for p in plays])) for name in ("slope", "right", "left")))
+    plays = {"force": plays_at(scenario, "force"), "torque": plays_at(scenario, "torque")}
+    found = plays["force"] or plays["torque"]
+    if found and not any(scenario.compensation.values()):
+        assumed, at_torque = mean_play(found), mean_play(plays["torque"] or found)
     else:
-        assumed = AssumedBacklash(slope=1.0, right=0.0, left=0.0)
-        why = "the scenario has one" if plays else "there is no backlash"
+        assumed = at_torque = AssumedBacklash(slope=1.0, right=0.0, left=0.0)
+        why = "the scenario has one" if found else "there is no backlash"
         notes.append(f"without compensation of its own, since {why}")
-    return replace(controller, assumed_backlash=assumed, compensate=assumed.left < 0), tuple(notes)
+    separate = None if at_torque == assumed else at_torque
+    controller = replace(controller, assumed_backlash=assumed, assumed_torque_backlash=separate, compensate=assumed.left < 0)
+    return controller, tuple(notes)
+
+
+def plays_at(scenario: Scenario, kind: str) -> list[Backlash]:
+    """The backlashes of all actuators at ports of one kind."""
+    ports = [port.name for port in scenario.plant.ports if port.kind == kind]
+    return [stage for port in ports for stage in scenario.actuators.get(port, ()) if isinstance(stage, Backlash)]
+
+
+def mean_play(plays: Sequence[Backlash]) -> AssumedBacklash:
+    """What they are in the mean."""
+    return AssumedBacklash(*(float(np.mean([getattr(p, name) for p in plays])) for name in ("slope", "right", "left")))
