@@ -114,7 +114,15 @@ def make_folder(folder: Path | None, name: str) -> Path:
         raise ArgumentError(f"Output folder `{folder}` must be another one: it holds a scenario.toml that no run has left there.")
     try:
         folder.mkdir(parents=True, exist_ok=True)
-        for old in ("report.html", "audit.json", "continuous.nc", "uncontrolled.nc", "result.nc", "scenario.toml"):
+        for old in (
+            "report.html",
+            "audit.json",
+            "continuous.nc",
+            "uncontrolled.nc",
+            "exchanges.parquet",
+            "result.nc",
+            "scenario.toml",
+        ):
             (folder / old).unlink(missing_ok=True)
         (folder / "scenario.toml").touch()
     except OSError as error:

@@ -11,6 +11,7 @@ from typing import Any
 import numpy as np
 
 from dampen.simulation.bench import Bench
+from dampen.simulation.digital import Sampler
 from dampen.simulation.digital_side import begin_again, prepare, readings_of, sampler_of
 from dampen.simulation.kernel import Inputs, Record
 from dampen.simulation.passes import law_of
@@ -26,16 +27,19 @@ class PlantSide:
     """A scenario without its law.
 
     setting:  of the current trial.   inputs, record, sampler, ports: its, as the kernel has them; what a trial that broke off
-    never came to is NaN.   at: the coming sample.   steps: done in this trial.   unsettled: steps whose forces did not settle.
+    never came to is NaN.   commands: like the sampler's `issued`, what the law's value was, which is the same unless the outside
+    `inverts` the actuators.   at: the coming sample.   steps: done in this trial.   unsettled: steps whose forces did not settle.
     """
 
     def __init__(self, scenario: Scenario, bench: Bench, inverts: bool = False):
-        self.scenario, self.bench = seated(scenario, inverts=inverts), bench
+        self.scenario, self.bench, self.inverts = seated(scenario, inverts=inverts), bench, inverts
         self.kernel, self.classes = bench.kernel(self.scenario)
         self.chains = [self.scenario.chain(p) for p in range(len(scenario.ports))]
         self.setting = setting_of(self.scenario, bench=bench)
+        self.gains = setting_of(scenario, bench=bench).gains
         self.law = law_of(self.scenario, {}, self.setting)
         self.sampler = sampler_of(self.scenario, self.setting)
+        self.commands = np.zeros_like(self.sampler.issued)
         self.period, self.samples = self.sampler.period, self.setting.steps
         ports, modes = len(self.chains), bench.modes.count
         self.record = empty_record(scenario.steps, ports, modes, scenario.output.every)
@@ -52,12 +56,15 @@ class PlantSide:
             self.ports, self.stages = port_records(self.chains, self.bench.step, self.classes)
             self.ports.soft = 0.0
             begin_again(self.sampler)
+            self.commands[...] = 0.0
         self.setting = of_trial(self.setting, self.scenario, trial)
         self.sampler = prepare(self.sampler, self.scenario, self.setting, self.law, trial)
+        ahead = self.sampler.ahead
+        self.commands[:ahead] = self.commands[self.samples :]
         self.inputs = self.bench.inputs(self.scenario, trial, self.law)
         self.along = np.array(self.scenario.reference(trial))
         self.at = self.steps = self.unsettled = 0
-        for array in (*self.record, self.sampler.error, self.sampler.rate, self.sampler.issued[self.sampler.ahead :]):
+        for array in (*self.record, self.sampler.error, self.sampler.rate, self.sampler.issued[ahead:], self.commands[ahead:]):
             array[...] = np.nan
 
     def read(self) -> Array:
@@ -67,14 +74,28 @@ class PlantSide:
         rows = slice(self.at, self.at + 1)
         return np.asarray(readings_of(self.sampler.error[rows], self.setting.reference[rows])[0])
 
-    def move(self, command: Array) -> bool:
-        """Through a sample period under a command (ports,) given at its beginning; False where the motion has diverged."""
-        self.command[:] = command
+    def move(self, command: Array, drive: Array) -> bool:
+        """Through a sample period; False where the motion has diverged. command (ports,): computed at its beginning; drive
+        (ports,): what the actuators get for it where the outside inverts them, else the same."""
+        self.command[:] = drive
+        self.commands[self.sampler.ahead + self.at] = command
         done = self._through(self.period)
         self.steps += done
         self.at += 1
         self.unsettled += int(self.unsettled_now[0])
         return done == self.period
+
+    def written(self) -> tuple[Record, Sampler, Any]:
+        """Record, sampler and ports of the trial as they are where the law's value is the command: its inverses belong to
+        what comes after it, whoever computes them."""
+        if not self.inverts:
+            return self.record, self.sampler, self.ports
+        due = self.sampler.ahead + (np.arange(len(self.record.command)) - self.sampler.delay) // self.period
+        held = self.commands[due]
+        held[self.steps :] = np.nan
+        ports = self.ports.copy()
+        ports.gain = self.gains
+        return self.record._replace(command=held), self.sampler._replace(issued=self.commands), ports
 
     def _through(self, steps: int) -> int:
         """The kernel on the slices of the coming sample, for so many steps: a period or none."""
