@@ -24,13 +24,11 @@ class Counterpart:
     drives: it inverts the actuators itself.   notes: what was remarkable about its statuses, one line for each kind.
     """
 
-    def __init__(self, line: Line, scenario: Scenario, drives: bool, how: str):
+    def __init__(self, line: Line, scenario: Scenario, drives: bool):
         self.line, self.scenario, self.drives = line, scenario, drives
         self.samples, self.period = scenario.law_grid
         self.exchanges = Exchanges(self.period)
-        self.described = f"{line.name.removeprefix('controller ')} {how}" + (
-            ", its own inverse of the actuators included" * drives
-        )
+        self.described = line.described + (", its own inverse of the actuators included" if drives else "")
         self.notes: list[str] = []
         self.number, self.seen = 0, {0}
         ports, limits = scenario.ports, scenario.sampling.command_limit
@@ -41,7 +39,7 @@ class Counterpart:
         try:
             answer = self._ask("the hello", HELLO, NO_TRIAL, self.samples, self.period)
         except Lost as error:
-            raise ArgumentError(f"Argument `controller` must answer as docs/firmware.md says: {error}") from None
+            raise ArgumentError(f"Argument `controller` must answer as docs/sil.md says: {error}") from None
         ports = len(self.scenario.ports)
         same = answer.ports == ports and answer.sample == self.samples and math.isclose(answer.seconds, self.period, rel_tol=1e-6)
         if not same:
@@ -113,5 +111,5 @@ class Counterpart:
         """Write down a status when it first comes."""
         if status not in self.seen:
             self.seen.add(status)
-            stopped = "; it has stopped, and its commands are 0 from then on" if status >= STOPPED else ""
+            stopped = "; it has stopped, and its commands are 0 from then on" if status in STOPPED else ""
             self.notes.append(f"At {where} the controller said: {status_text(status)}{stopped}.")

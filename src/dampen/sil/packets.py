@@ -35,7 +35,7 @@ STATUSES = {
     5: "a port has crossed its constraint",
     6: "the law made no number",
 }
-STOPPED = 4  # from here on: latched, and the commands are 0
+STOPPED = (4, 5, 6)  # latched, and the commands are 0
 ROUND = 2**32
 
 

@@ -17,8 +17,7 @@ class Pipe(Line):
     """To a program that was started for it."""
 
     def __init__(self, program: Program, timeout: float):
-        super().__init__(f"controller `{program.name}`", timeout)
-        self.program = program
+        super().__init__(f"controller `{program.name}`", f"`{program.name}` over a pipe", program, timeout)
         assert program.child.stdin is not None
         assert program.child.stdout is not None
         self.into, self.out_of = program.child.stdin.fileno(), program.child.stdout.fileno()
@@ -27,7 +26,7 @@ class Pipe(Line):
 
     def ask(self, request: Request) -> bytes:
         """One packet in, one out; bytes beyond it are no answer."""
-        deadline, size, got = self.clock(), request.answer_size, b""
+        deadline, size, got = self.deadline(), request.answer_size, b""
         self.asked = 1
         try:
             os.write(self.into, request.data)
@@ -51,12 +50,4 @@ class Pipe(Line):
 
     def gone(self, how: str) -> Lost:
         """The pipe is broken: because the program is, most likely."""
-        return Lost(f"{self.name} {self.program.ended(GRACE) or how}.{self.program.last_words()}")
-
-    def silent(self, got: bytes) -> Lost:
-        """No answer in time, from a program that may have something to say about it."""
-        return Lost(f"{super().silent(got)}{self.program.last_words()}")
-
-    def hang_up(self) -> None:
-        """End the program."""
-        self.program.end()
+        return self.lost((self.program and self.program.ended(GRACE)) or how)

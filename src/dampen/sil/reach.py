@@ -44,14 +44,7 @@ def reached(
         raise ArgumentError("Software in the loop needs a POSIX system.")
     line = line_to(controller, udp, port, timeout)
     try:
-        how = (
-            f"over UDP port {line.port}"
-            if isinstance(line, Udp) and line.program
-            else ""
-            if isinstance(line, Udp)
-            else "over a pipe"
-        )
-        counterpart = Counterpart(line, scenario, drive, how)
+        counterpart = Counterpart(line, scenario, drive)
         counterpart.greet()
         yield counterpart
     finally:

@@ -7,7 +7,7 @@ import socket
 import time
 
 from dampen.component import ArgumentError
-from dampen.sil.line import GLANCE, Line, Lost
+from dampen.sil.line import GLANCE, Line
 from dampen.sil.packets import ROUND, Request, number_of
 from dampen.sil.program import Program
 
@@ -20,8 +20,9 @@ class Udp(Line):
     """To a port of this machine, where a program listens; `program`: the one that was started for it."""
 
     def __init__(self, port: int, program: Program | None, timeout: float):
-        super().__init__(f"controller `{program.name}`" if program else f"the controller at UDP port {port}", timeout)
-        self.program, self.port = program, port
+        there = f"the controller at UDP port {port}"
+        name, described = (f"controller `{program.name}`", f"`{program.name}` over UDP") if program else (there, there)
+        super().__init__(name, described, program, timeout)
         self.socket = socket.socket(socket.AF_INET, socket.SOCK_DGRAM)
         self.socket.setblocking(False)
         self.socket.connect((HERE, port))  # from then on nobody else's datagrams are seen
@@ -30,7 +31,7 @@ class Udp(Line):
 
     def ask(self, request: Request) -> bytes:
         """The datagram that answers; late answers to earlier requests are passed over."""
-        deadline, data, pause, self.asked = self.clock(), request.data, AGAIN, 0
+        deadline, data, pause, self.asked = self.deadline(), request.data, AGAIN, 0
         while True:
             self.send(data)
             again, pause = min(time.perf_counter() + pause, deadline), min(2 * pause, SELDOM)
@@ -40,10 +41,10 @@ class Udp(Line):
                     return got
             self.stop()
             ended = self.program.ended() if self.program else None
-            if ended and self.program:
-                raise Lost(f"{self.name} {ended}.{self.program.last_words()}")
+            if ended:
+                raise self.lost(ended)
             if again >= deadline:
-                raise self.silent(b"")
+                raise self.silent()
 
     def send(self, data: bytes) -> None:
         """One datagram; while nobody listens yet, it is as if it were lost."""
@@ -63,16 +64,10 @@ class Udp(Line):
             time.sleep(AGAIN / 10)
             return None
 
-    def silent(self, got: bytes) -> Lost:
-        """No answer in time, from a program that may have something to say about it."""
-        words = self.program.last_words() if self.program else ""
-        return Lost(f"{super().silent(got)}{words}")
-
     def hang_up(self) -> None:
-        """Close the socket, and end the program."""
+        """Close the socket, too."""
         self.socket.close()
-        if self.program:
-            self.program.end()
+        super().hang_up()
 
 
 def late(number: int, now: int) -> bool:
