@@ -31,7 +31,7 @@ from dampen.sil.packets import DRIVE, END, HEADER, HELLO, KINDS, STEP, Garbage, 
 from dampen.simulation.bench import Bench
 from dampen.simulation.stores import FileStore
 from dampen.toml import to_toml
-from tests.c_bench import COMPILERS
+from tests.c_bench import CHECKED, COMPILERS
 
 needs_c = pytest.mark.skipif(not COMPILERS, reason="no C compiler here")
 SHORT = ("task.trials=3", "task.trial_duration=0.2", "sampling.command_limit={tip_w=2.0,tip_phi=4.0}")
@@ -186,6 +186,19 @@ def test_the_program_compiles_without_a_warning(compiler: str, single: bool, com
     done = subprocess.run(make, capture_output=True, text=True, check=False)
     assert done.returncode == 0, done.stderr
     assert "warning" not in done.stderr
+
+
+@needs_c
+def test_the_program_is_clean_under_the_compilers_checks(tmp_path: Path) -> None:
+    scenario = case(*SHORT)
+    export_c(scenario, tmp_path, guards=Guards(stop_at_constraint=False))
+    make = ["make", "-s", "-C", str(tmp_path), f"CFLAGS={' '.join(CHECKED)}", "sil"]
+    subprocess.run(make, check=True)
+    for udp in (False, True):
+        done = dampen.software_in_the_loop(scenario, str(tmp_path / "sil"), udp=udp, drive=True, bench=bench(*SHORT))
+        assert (done.failure, done.result.trials) == ("", 3)
+        assert done.agreement is not None
+        assert done.agreement.parted is None
 
 
 @needs_c

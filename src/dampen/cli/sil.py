@@ -61,7 +61,7 @@ def sil(
     from dampen.toml import to_toml
 
     if (controller is None) == (port is None):
-        raise ArgumentError("Option `--controller` or `--port` must be given: a program to start, or where one listens already.")
+        raise ArgumentError("One of `--controller` and `--port` must be given: a program to start, or where one listens already.")
     case = read_scenario(scenario, set_ or ())
     bench = Bench(case)
     with reached(case, controller, udp=udp, port=port, drive=drive, timeout=timeout) as counterpart:

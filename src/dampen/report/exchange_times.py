@@ -26,10 +26,10 @@ def exchange_times(trips: Array, period: float) -> tuple[Figure, str]:
     """The figure, and what it shows."""
     took, share = np.sort(trips) * UNIT, np.arange(len(trips), 0, -1) / len(trips)
     figure = sheet()
-    axes = panel(figure)
+    axes = panel(figure, top=0.12)
     axes.loglog(took, share, color=DISPLACEMENT, drawstyle="steps-post", label="answers")
     axes.axvline(period * UNIT, color=CONSTRAINT, linestyle=DASHES, label="sample period")
-    axes.set_xlabel("round trip (µs)")
+    axes.set_xlabel("round trip [µs]")
     axes.set_ylabel("share that took longer")
     axes.legend(frameon=False, loc="lower left")
     late = int((trips > period).sum())
