@@ -29,8 +29,8 @@ class Program:
         streams = {"stdin": subprocess.PIPE, "stdout": subprocess.PIPE}
         if not pipe:
             streams = {"stdin": subprocess.DEVNULL, "stdout": self.errors}  # type: ignore[dict-item]
-        try:  # in a session of its own, so that Ctrl-C in a terminal is for this side alone
-            self.child = subprocess.Popen([*words, *more], stderr=self.errors, bufsize=0, start_new_session=True, **streams)  # type: ignore[call-overload]
+        try:  # in a process group of its own, so that Ctrl-C in a terminal is for this side alone
+            self.child = subprocess.Popen([*words, *more], stderr=self.errors, bufsize=0, process_group=0, **streams)  # type: ignore[call-overload]
         except (OSError, ValueError) as error:
             self.errors.close()
             why = getattr(error, "strerror", None) or error
