@@ -457,7 +457,7 @@ def test_ctrl_c_keeps_what_there_is_and_ends_the_program(tmp_path: Path) -> None
         [sys.executable, "-m", "dampen.cli", "sil", "mine.toml", "--controller", command, "--out", "out", "--no-report"],
         cwd=tmp_path, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True,
     )  # fmt: skip
-    wait_for((tmp_path / "note.slow").exists)  # sample 50 of trial 1
+    wait_for(lambda: (tmp_path / "note.slow").exists() or process.poll() is not None)  # sample 50 of trial 1
     process.send_signal(signal.SIGINT)
     _, told = process.communicate(timeout=30)
     assert process.returncode == 3, told
