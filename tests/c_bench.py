@@ -115,9 +115,9 @@ def built(case: Scenario, folder: Path, single: bool = False, guards: Guards | N
 
 
 def compile_c(compiler: str, flags: tuple[str, ...], files: list[Path], out: Path) -> None:
-    done = subprocess.run(
-        [compiler, *STRICT, *flags, *map(str, files), "-o", str(out), "-lm"], capture_output=True, text=True, check=False
-    )
+    linked = () if "-c" in flags else ("-lm",)  # clang warns of what it does not use
+    command = [compiler, *STRICT, *flags, *map(str, files), "-o", str(out), *linked]
+    done = subprocess.run(command, capture_output=True, text=True, check=False)
     assert done.returncode == 0, done.stderr
 
 

@@ -428,7 +428,7 @@ def test_the_command_line_writes_a_folder_that_tests_itself(tmp_path: Path) -> N
     assert "N at tip_w" in done.stdout
     assert not done.stderr
     assert sorted(path.name for path in folder.iterdir()) == [
-        "Makefile", "README.md", "controller.c", "controller.h", "scenario.toml", "selftest.c",
+        "Makefile", "README.md", "controller.c", "controller.h", "scenario.toml", "selftest.c", "sil.c",
     ]  # fmt: skip
     readme = (folder / "README.md").read_text()
     assert "-0.3 to 0.25 m" in readme

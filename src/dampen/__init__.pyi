@@ -82,6 +82,8 @@ from .signals.hold import Hold as Hold
 from .signals.minimum_jerk import MinimumJerk as MinimumJerk
 from .signals.recorded import RecordedSignal as RecordedSignal
 from .signals.sinusoid import Sinusoid as Sinusoid
+from .sil.loop import InTheLoop as InTheLoop
+from .sil.loop import software_in_the_loop as software_in_the_loop
 from .simulation.result import Result as Result
 from .simulation.sampling import Sampling as Sampling
 from .simulation.scenario import Numerics as Numerics

@@ -8,7 +8,7 @@ from typing import Annotated
 
 import typer
 
-from dampen.cli import bundle, compare, export, lab, review, run, studies
+from dampen.cli import bundle, compare, export, lab, review, run, sil, studies
 from dampen.cli.terminal import BROKE_OFF, COMPLETED, ScenarioArgument, WithListing, WithOverview, complain, err, out
 from dampen.component import ArgumentError
 
@@ -39,6 +39,7 @@ app.command(help=studies.ROBUST_HELP)(studies.robust)
 app.command(help=studies.TUNE_HELP)(studies.tune)
 app.command(help=studies.RESUME_HELP)(studies.resume)
 app.command(help=studies.PLOT_HELP)(studies.plot)
+app.command(help=sil.HELP)(sil.sil)
 app.command(help=bundle.BUNDLE_HELP)(bundle.bundle)
 app.command(help=bundle.RERUN_HELP)(bundle.rerun)
 app.add_typer(export.app, name="export")

@@ -31,6 +31,10 @@ HELP = (
 
 OutOption = Annotated[Path | None, typer.Option("--out", metavar="DIR", help="where to write (default: a new folder in runs/)")]
 ReportOption = Annotated[bool, typer.Option("--report/--no-report", help="figures and report.html")]
+LEFT = (  # by an earlier run; what says that the folder is one of a run goes last
+    "report.html", "audit.json", "continuous.nc", "uncontrolled.nc", "exchanges.parquet", "figures/exchanges.png",
+    "figures/exchanges.svg", "result.nc", "scenario.toml",
+)  # fmt: skip
 Review = Callable[["Bench", "Result"], tuple["Record", bool]]
 
 
@@ -114,7 +118,7 @@ def make_folder(folder: Path | None, name: str) -> Path:
         raise ArgumentError(f"Output folder `{folder}` must be another one: it holds a scenario.toml that no run has left there.")
     try:
         folder.mkdir(parents=True, exist_ok=True)
-        for old in ("report.html", "audit.json", "continuous.nc", "uncontrolled.nc", "result.nc", "scenario.toml"):
+        for old in LEFT:
             (folder / old).unlink(missing_ok=True)
         (folder / "scenario.toml").touch()
     except OSError as error:

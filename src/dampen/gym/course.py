@@ -13,10 +13,10 @@ from gymnasium.spaces import Box
 from dampen.component import ArgumentError, wrong
 from dampen.controllers.base import Array
 from dampen.gym.scaling import EFFORT, FARTHEST, ByPort, scaling_of
-from dampen.gym.seat import seated
 from dampen.gym.stepper import Stepper
 from dampen.scenarios.read import read_scenario
 from dampen.simulation.scenario import Scenario
+from dampen.simulation.seat import seated
 
 
 @dataclass(frozen=True)

@@ -8,7 +8,7 @@ import numpy as np
 
 from dampen.component import wrong
 from dampen.controllers.base import Array, Setting
-from dampen.gym.seat import drawn
+from dampen.gym.drawn import drawn
 from dampen.simulation.bench import Bench
 from dampen.simulation.compose import compiled_windows
 from dampen.simulation.digital import Sampler

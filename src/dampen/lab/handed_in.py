@@ -23,7 +23,7 @@ from dampen.simulation.setting import setting_of
 
 ATTACHABLE = (".csv", ".txt", ".nc", ".npz", ".npy", ".mtx")
 ARCHIVE = b"PK\x03\x04"
-FINISHED = ("complete", "constraint_lost", "interrupted", "diverged")
+FINISHED = ("complete", "constraint_lost", "interrupted", "diverged", "controller_lost")
 
 
 def contents(content: bytes, trust: Trust) -> tuple[bytes, dict[str, str]]:

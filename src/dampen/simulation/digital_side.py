@@ -93,6 +93,19 @@ def begin_again(sampler: Sampler) -> None:
         array[...] = 0.0
 
 
+def readings_of(error: Array, reference: Array) -> Array:
+    """Readings whose distance from the reference rounds to the recorded error."""
+    readings = np.asarray(error + reference)
+    for _ in range(4):
+        off = error - (readings - reference)
+        if not off.any():
+            break
+        toward = np.nextafter(readings, np.where(off > 0, np.inf, -np.inf))
+        closer = np.abs(error - (toward - reference)) < np.abs(off)
+        readings = np.where(closer, toward, readings)
+    return readings
+
+
 def estimator_gains(sampling: Sampling) -> tuple[float, float]:
     """l1 and l2: of the filtered difference quotient, or of an observer with both poles at its bandwidth."""
     if sampling.rate == "difference":

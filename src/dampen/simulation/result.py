@@ -110,8 +110,9 @@ class Result:
     """What a run left. `result["y"][3]` is the port motion of trial 3; `result.dataset` is everything as an xarray Dataset.
 
     trials: number of finished trials.
-    status: "complete", "constraint_lost", "interrupted" or "diverged".
+    status: "complete", "constraint_lost", "interrupted" or "diverged"; "controller_lost" where that was a program that failed.
     warnings: thin resolution, a lost constraint, forces that did not settle; one line each.
+    commands_from: what made the commands where that was not the scenario's law.
     """
 
     scenario: Scenario
@@ -122,6 +123,7 @@ class Result:
     arrays: Mapping[str, Any]
     warnings: list[str] = field(default_factory=list)
     path: Path | None = None
+    commands_from: str = ""
 
     def __getitem__(self, name: str) -> Any:
         """All trials of a variable, (trial, ...); from a file, read when indexed."""
@@ -168,4 +170,5 @@ class Result:
             "trials_finished": self.trials,
             "warnings": "\n".join(self.warnings),
             "scenario": to_toml(self.scenario),
+            **({"commands_from": self.commands_from} if self.commands_from else {}),
         }

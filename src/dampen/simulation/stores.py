@@ -17,7 +17,9 @@ Array = np.ndarray
 
 
 class Store(ABC):
-    """Takes trials one by one; `close` turns it into a Result."""
+    """Takes trials one by one; `close` turns it into a Result. commands_from: to be set before `open`, as in the result."""
+
+    commands_from: str = ""
 
     @abstractmethod
     def open(self, layout: Layout, warnings: list[str]) -> None:
@@ -46,7 +48,9 @@ class MemoryStore(Store):
 
     def close(self, status: str, trials: int) -> Result:
         kept = {name: array[:trials] for name, array in self.arrays.items()}
-        return Result(self.layout.scenario, version(), status, trials, self.layout, kept, self.warnings)
+        return Result(
+            self.layout.scenario, version(), status, trials, self.layout, kept, self.warnings, commands_from=self.commands_from
+        )
 
 
 class FileStore(Store):
@@ -98,7 +102,9 @@ class FileStore(Store):
         return open_result(self.path, self.layout.scenario)
 
     def _describe(self, status: str, trials: int) -> None:
-        result = Result(self.layout.scenario, version(), status, trials, self.layout, {}, self.warnings)
+        result = Result(
+            self.layout.scenario, version(), status, trials, self.layout, {}, self.warnings, commands_from=self.commands_from
+        )
         self.file.setncatts(result.attributes)
 
 
@@ -134,5 +140,5 @@ def open_result(path: Path, scenario: Any) -> Result:
     attributes = {name: file.getncattr(name) for name in file.ncattrs()}
     return Result(
         scenario, attributes["dampen_version"], attributes["status"], int(attributes["trials_finished"]), layout,
-        FileArrays(file, list(layout.variables)), attributes["warnings"].splitlines(), path,
+        FileArrays(file, list(layout.variables)), attributes["warnings"].splitlines(), path, attributes.get("commands_from", ""),
     )  # fmt: skip

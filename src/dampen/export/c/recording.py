@@ -9,6 +9,7 @@ from itertools import islice
 import numpy as np
 
 from dampen.simulation.bench import Bench
+from dampen.simulation.digital_side import readings_of
 from dampen.simulation.passes import passes
 from dampen.simulation.scenario import Scenario
 
@@ -30,14 +31,3 @@ def record(scenario: Scenario, bench: Bench, trials: int | None = None) -> Itera
         sampler = done.sampler
         readings = readings_of(sampler.error, done.setting.reference)
         yield Recorded(readings, sampler.rate.copy(), sampler.issued[sampler.ahead :].copy())
-
-
-def readings_of(error: Array, reference: Array) -> Array:
-    """Readings whose distance from the reference rounds to the recorded error."""
-    readings = np.asarray(error + reference)
-    for _ in range(4):
-        off = error - (readings - reference)
-        toward = np.nextafter(readings, np.where(off > 0, np.inf, -np.inf))
-        closer = np.abs(error - (toward - reference)) < np.abs(off)
-        readings = np.where(closer, toward, readings)
-    return readings

@@ -52,7 +52,7 @@ def export_c(scenario: Scenario, folder: Path, single: bool = False, guards: Gua
     readme = readme_names(source, cost, bound, len(test["readings"]))
     files = {
         name: source.file(name, **test, **readme)
-        for name in ("controller.h", "controller.c", "selftest.c", "Makefile", "README.md")
+        for name in ("controller.h", "controller.c", "selftest.c", "sil.c", "Makefile", "README.md")
     }
     files["scenario.toml"] = to_toml(scenario)
     try:
