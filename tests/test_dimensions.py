@@ -32,7 +32,7 @@ LOOPS = {
     "tuned": ("he2017-tuned", FEW),
     "sampled": ("he2017-sampled", FEW),
     "explicit": ("he2017-sampled", [*FEW, "sampling.switching=explicit"]),
-    "layer": ("he2017-sampled", [*FEW, "sampling.switching=boundary-layer"]),
+    "layer": ("he2017-sampled", [*FEW, "sampling.switching=boundary-layer", "sampling.layer={tip_w=0.02,tip_phi=0.01}"]),
     "observer": ("he2017-sampled", [*FEW, "sampling.rate=observer"]),
     "hysteresis": ("he2017-hysteresis", FEW),
     "adaptive": ("euler-bernoulli-payload", FEW),
