@@ -115,8 +115,9 @@ def built(case: Scenario, folder: Path, single: bool = False, guards: Guards | N
 
 
 def compile_c(compiler: str, flags: tuple[str, ...], files: list[Path], out: Path) -> None:
+    library = () if "-c" in flags else ("-lm",)
     done = subprocess.run(
-        [compiler, *STRICT, *flags, *map(str, files), "-o", str(out), "-lm"], capture_output=True, text=True, check=False
+        [compiler, *STRICT, *flags, *map(str, files), "-o", str(out), *library], capture_output=True, text=True, check=False
     )
     assert done.returncode == 0, done.stderr
 

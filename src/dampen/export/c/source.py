@@ -63,18 +63,31 @@ def templates(name: str) -> Template:
     environment = Environment(
         loader=loader, undefined=StrictUndefined, trim_blocks=True, lstrip_blocks=True, keep_trailing_newline=True
     )
-    environment.filters |= {"remark": remark, "identifier": identifier}
+    environment.filters |= {"remark": remark, "cell": cell}
     return environment.get_template(f"{name}.jinja")
 
 
 def remark(text: str) -> str:
-    """Text of the user's own as part of a comment, which it must not end."""
-    return " ".join(text.split()).replace("*/", "* /").replace("/*", "/ *").replace("??", "? ?")
+    """Text of the user's own as part of a comment, which it must not end; what cannot be seen becomes a space."""
+    seen = " ".join("".join(letter if letter.isprintable() else " " for letter in text).split())
+    return re.sub(r"(?<=\*)(?=/)|(?<=/)(?=\*)|(?<=\?)(?=\?)", " ", seen)
 
 
-def identifier(name: str) -> str:
-    """A port's name as part of a macro's."""
-    return re.sub(r"[^A-Z0-9]", "_", name.upper())
+def cell(text: str) -> str:
+    """Text of the user's own in a cell of a table."""
+    return remark(text).replace("|", "\\|")
+
+
+def macros(names: Sequence[str]) -> list[str]:
+    """Ports' names as parts of macros: another for each, also where they differ in no letter or digit."""
+    plain = [re.sub(r"[^A-Z0-9]", "_", name.upper()) for name in names]
+    found: list[str] = []
+    for p, name in enumerate(plain):
+        taken = {*plain[:p], *plain[p + 1 :], *found}
+        while name in taken:
+            name += f"_{p}"
+        found.append(name)
+    return found
 
 
 def source_of(blue: Blueprint) -> Source:
@@ -157,6 +170,7 @@ def names_of(
         "name": blue.scenario.name,
         "version": version(),
         "ports": blue.setting.ports,
+        "macros": macros([port.name for port in blue.setting.ports]),
         "samples": blue.samples,
         "period": literal(blue.sampler.seconds, single),
         "seconds": literal(blue.sampler.seconds),
