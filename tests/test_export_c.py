@@ -356,6 +356,8 @@ int main(int argc, char **argv)
         if (status == DAMPEN_TRIAL_OVER) dampen_end_trial(&c, reading);
         if (status >= DAMPEN_STOPPED_SENSOR && next() % 4 == 0) dampen_restart(&c);
         if (status == DAMPEN_STOPPED_FAULT) dampen_init(&c);
+        if (next() % 2000 == 0) dampen_end_trial(&c, reading); /* out of turn */
+        if (next() % 8000 == 0) dampen_restart(&c);
     }
     for (int k = 0; k < 7; k++) printf("%ld ", seen[k]);
     return 0;
@@ -370,7 +372,8 @@ int main(int argc, char **argv)
 def test_any_bit_pattern_as_reading_gives_numbers_within_the_output_limit(
     name: str, stop: bool, single: bool, compiler: str, tmp_path: Path
 ) -> None:
-    """With the guards as they are, and with guards that believe anything and do not stop, so that the law gets to see it.
+    """With the guards as they are, and with guards that believe anything and do not stop, so that the law gets to see it; trials
+    are ended and begun afresh out of turn now and then.
 
     More than a million readings in all; with DAMPEN_FUZZ_STEPS=10000000 ten million for each controller.
     """

@@ -246,6 +246,11 @@ def test_wrong_arguments_from_python_are_told_in_one_line(arguments: dict[str, A
     assert len(error.value.lines) == 1
 
 
+def test_a_name_in_the_place_of_a_scenario_is_told_in_one_line() -> None:
+    with pytest.raises(dampen.ArgumentError, match=r"`scenario` must be a Scenario, as `dampen\.read_scenario` makes them"):
+        dampen.state_space("he2017")  # type: ignore[arg-type]
+
+
 def test_numbers_of_numpy_mean_what_pythons_mean() -> None:
     own = dampen.state_space(experiment(LOADED), np.int64(6), balanced=np.int64(4), discrete=np.True_)
     assert own.dt == 1e-3

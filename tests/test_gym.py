@@ -267,6 +267,8 @@ def test_a_picture_shows_the_structure() -> None:
         ({"effort_weight": "much"}, "`effort_weight` must be a number >= 0"),
         ({"period": "often"}, "`period` must be a number of seconds > 0"),
         ({"scenario": "he2018"}, "did you mean"),
+        ({"scenario": None}, "`scenario` must be a Scenario, the name of a shipped one or the path of a file, but is None"),
+        ({"overrides": "task.trials=1"}, "`overrides` must be a list of KEY=VALUE, but is 'task.trials=1'"),
         ({"scenario": SAMPLED, "overrides": ["task.trials=1"]}, "`overrides` must be left out"),
         ({"render_mode": "human"}, "`render_mode` must"),
         ({"overrides": ["controller.kind=none", "task.constraint={}"]}, "`command_limit.tip_w` must be given"),

@@ -27,6 +27,8 @@ def plant_model(
     discrete: bool | float = False,
 ) -> LinearModel:
     """The matrices of :func:`state_space`, for which python-control is not needed."""
+    if not isinstance(scenario, Scenario):
+        raise wrong("scenario", "be a Scenario, as `dampen.read_scenario` makes them", scenario)
     model = linear_model(scenario, modes, inputs=inputs, rates=rates, residual=residual, dt=sample_time(scenario, discrete))
     return model if balanced is None else truncated(model, balanced)[0]
 

@@ -48,6 +48,10 @@ class Course:
         for name, number in (("num_envs", count), ("threads", threads)):
             if not (is_whole(number) and number >= 1):
                 raise wrong(name, "be a whole number >= 1", number)
+        if not isinstance(scenario, Scenario | str | Path):
+            raise wrong("scenario", "be a Scenario, the name of a shipped one or the path of a file", scenario)
+        if isinstance(overrides, str):
+            raise wrong("overrides", "be a list of KEY=VALUE", overrides)
         if not isinstance(scenario, Scenario):
             scenario = read_scenario(scenario, overrides)
         elif overrides:
