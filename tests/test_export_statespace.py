@@ -20,6 +20,7 @@ from dampen.cli import main
 from dampen.export.balanced import balanced
 from dampen.export.files import write_model
 from dampen.export.linear import linear_model
+from dampen.plants.assembled import Assembled, AssembledPort
 from dampen.simulation.stores import FileStore
 from tests.conftest import scenario
 
@@ -244,6 +245,22 @@ def test_wrong_arguments_from_python_are_told_in_one_line(arguments: dict[str, A
     with pytest.raises(dampen.ArgumentError, match=said) as error:
         dampen.state_space(experiment(LOADED), **arguments)
     assert len(error.value.lines) == 1
+
+
+@pytest.mark.parametrize("names", [("tip.w", "tip_w"), ("x", "x_rate")])
+def test_every_signal_has_a_name_of_its_own_whatever_the_ports_are_called(names: tuple[str, str]) -> None:
+    matrices = Assembled(
+        mass=np.eye(2).tolist(), stiffness=np.eye(2).tolist(), port_vectors=np.eye(2).tolist(),
+        port=tuple(AssembledPort(name) for name in names),
+    )  # fmt: skip
+    model = dampen.state_space(
+        dampen.Scenario(
+            plant=matrices, controller=dampen.NoControl(), disturbance=dampen.NoDisturbance(), numerics=dampen.Numerics(modes=2)
+        ),
+        rates=True,
+    )
+    assert len(model.output_labels) == model.noutputs == 4
+    assert len(model.input_labels) == model.ninputs == 2
 
 
 def test_a_name_in_the_place_of_a_scenario_is_told_in_one_line() -> None:

@@ -9,6 +9,7 @@ from typing import Literal, get_args
 import numpy as np
 
 from dampen.component import ArgumentError, is_number, is_whole, wrong
+from dampen.export.names import distinct
 from dampen.export.residual import residual_compliance
 from dampen.modal import propagator
 from dampen.plants.base import Modes
@@ -76,6 +77,7 @@ def linear_model(
         c = np.vstack([c, np.hstack([np.zeros_like(found.b), found.b])])
         d = np.vstack([d, np.zeros_like(d)])
         outputs += [(f"{port.name}_rate", f"{port.motion_unit}/s") for port in found.ports]
+        outputs = list(zip(distinct([name for name, _ in outputs]), [unit for _, unit in outputs], strict=True))
     states = [(f"q_{i + 1}", "m sqrt(kg)") for i in range(n)] + [(f"q_{i + 1}_rate", "m sqrt(kg)/s") for i in range(n)]
     return LinearModel(a, b, c, d, tuple(states), tuple(given), tuple(outputs), dt)
 

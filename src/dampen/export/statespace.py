@@ -10,6 +10,7 @@ import numpy as np
 from dampen.component import ArgumentError, is_number, wrong
 from dampen.export.balanced import balanced as truncated
 from dampen.export.linear import LinearModel, Source, linear_model
+from dampen.export.names import distinct
 from dampen.simulation.scenario import Scenario
 
 if TYPE_CHECKING:
@@ -73,5 +74,7 @@ def state_space(
     model = plant_model(
         scenario, modes, inputs=inputs, rates=rates, residual=residual, balanced=balanced, discrete=discrete
     )  # fmt: skip
-    named = {key: [name.replace(".", "_") for name, _ in getattr(model, key)] for key in ("states", "inputs", "outputs")}
+    named = {
+        key: distinct([name.replace(".", "_") for name, _ in getattr(model, key)]) for key in ("states", "inputs", "outputs")
+    }
     return control.StateSpace(model.a, model.b, model.c, model.d, model.dt, name="plant", remove_useless_states=False, **named)

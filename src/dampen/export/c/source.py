@@ -16,6 +16,7 @@ from dampen.export.c.blueprint import LARGEST, Blueprint, compensation
 from dampen.export.c.learning import Learning, Slot, Table, learning_of
 from dampen.export.c.numbers import literal, rows
 from dampen.export.c.translate import Translator
+from dampen.export.names import distinct
 from dampen.release import version
 from dampen.simulation.digital import Sample, follow, limited
 from dampen.simulation.digital_law import COLUMNS, port_law
@@ -80,14 +81,7 @@ def cell(text: str) -> str:
 
 def macros(names: Sequence[str]) -> list[str]:
     """Ports' names as parts of macros: another for each, also where they differ in no letter or digit."""
-    plain = [re.sub(r"[^A-Z0-9]", "_", name.upper()) for name in names]
-    found: list[str] = []
-    for p, name in enumerate(plain):
-        taken = {*plain[:p], *plain[p + 1 :], *found}
-        while name in taken:
-            name += f"_{p}"
-        found.append(name)
-    return found
+    return distinct([re.sub(r"[^A-Z0-9]", "_", name.upper()) for name in names])
 
 
 def source_of(blue: Blueprint) -> Source:
