@@ -16,12 +16,15 @@ import dampen
 from dampen.component import ArgumentError
 from dampen.export.c.blueprint import Guards, blueprint
 from dampen.export.c.footprint import footprint
-from dampen.export.c.source import source_of
+from dampen.export.c.recording import record
+from dampen.export.c.rounding import linear_gains
+from dampen.export.c.source import macros, source_of
 from dampen.export.c.write import export_c
 from dampen.scenarios.read import shipped
 from dampen.signals.base import Signal
 from dampen.simulation.bench import Bench
 from dampen.simulation.compiled import bind
+from dampen.simulation.digital import Sample
 from tests.c_bench import CHECKED, COMPILERS, built, compile_c, recorded, stated_bound, written
 
 pytestmark = pytest.mark.skipif(not COMPILERS, reason="no C compiler here")
@@ -58,6 +61,16 @@ CASES: dict[str, tuple[str, ...]] = {
     "lqg": ("he2017-sampled", "controller.kind=lqg", "controller.error_weight={tip_w=10.0,tip_phi=10.0}", "task.trials=3"),
     "lqg-following": (*ARM, "controller.kind=lqg", "controller.error_weight={tip_w=10.0,hub=10.0}"),
     "norm-optimal": ARM,
+    "string": ("string-tip-mass", SAMPLED, "task.trials=2"),
+    "following": ("he2017-sampled", "task.reference={tip_w={kind='sinusoid',amplitude=0.02,frequency=1.0}}", "task.trials=2"),
+    "p-type-of-four-samples": (
+        "he2017-sampled", "controller.kind=p-type-ilc", "controller.learning={tip_w=0.5}", "sampling.period=0.5",
+        "controller.cutoff=0.5", "task.trials=4",
+    ),
+    "one-sample": (
+        "he2017-sampled", "sampling.period=2.0", "sampling.delay=2.0", "sampling.command_limit={tip_w=0.1,tip_phi=0.1}",
+        "task.trials=3",
+    ),
 }  # fmt: skip
 WHOLE = ("implicit", "explicit", "boundary-layer", "tuned", "tuned-implicit")
 GOING = Guards(stop_at_constraint=False)
@@ -150,12 +163,138 @@ def test_every_shipped_scenario_leaves_as_c(name: str, tmp_path: Path) -> None:
     compile_c(COMPILERS[0], ("-c", "-O2"), [tmp_path / "controller.c"], tmp_path / "controller.o")
 
 
-def test_a_title_cannot_end_the_comment_that_it_stands_in(tmp_path: Path) -> None:
-    hostile = "title='*/ int main(void) { return 1; } /* ??/'"
-    written(dampen.read_scenario("he2017-sampled", (hostile,)), tmp_path)
-    compile_c(COMPILERS[0], ("-c", "-O2"), [tmp_path / "controller.c"], tmp_path / "controller.o")
+@pytest.mark.parametrize(
+    "title",
+    ["*/ int main(void) { return 1; } /* ??/", "why???/", "right to left \u202e", "**//* a /*/ b \\", "new\nline\tand tab"],
+)
+def test_a_title_cannot_end_the_comment_that_it_stands_in(title: str, tmp_path: Path) -> None:
+    written(replace(case("implicit"), title=title), tmp_path)
+    for compiler in COMPILERS:
+        compile_c(compiler, ("-c", "-O2"), [tmp_path / "controller.c"], tmp_path / "controller.o")
     for name in ("controller.h", "controller.c"):
         assert "*/ int main" not in (tmp_path / name).read_text()
+
+
+@dataclass(frozen=True)
+class Renamed(dampen.TimoshenkoBeam):
+    """The beam with other names of its ports."""
+
+    names: tuple[str, ...] = ()
+
+    @property
+    def ports(self) -> tuple[dampen.Port, ...]:
+        return tuple(replace(port, name=name) for port, name in zip(super().ports, self.names, strict=True))
+
+    def modes(self, count: int, grid: int | None = None) -> dampen.Modes:
+        return replace(super().modes(count, grid), ports=self.ports)
+
+
+@pytest.mark.parametrize("names", [("tip-w", "tip.w"), ("x", "X"), ("\u00e4", "\u00f6"), ("tip*/w", "a|b ??/")])
+def test_every_port_has_a_macro_of_its_own_whatever_its_name(names: tuple[str, str], tmp_path: Path) -> None:
+    plain = case("implicit")
+    renamed = replace(
+        plain, plant=Renamed(names=names), controller=dampen.BoundaryDamping(damping={names[0]: 1.0}), claims=None,
+        disturbance=dampen.NoDisturbance(), actuators={}, bounds={}, task=dampen.Task(trials=1, trial_duration=0.1),
+        sampling=replace(plain.sampling, noise={}, quantum={}, command_limit={}), numerics=replace(plain.numerics, modes=6),
+    )  # fmt: skip
+    export_c(renamed, tmp_path)
+    for compiler in COMPILERS:
+        compile_c(compiler, ("-c", "-O2"), [tmp_path / "controller.c"], tmp_path / "controller.o")
+    defined = [line.split()[1:3] for line in (tmp_path / "controller.h").read_text().splitlines() if "DAMPEN_PORT_" in line]
+    assert [number for _, number in defined] == ["0", "1"]
+    assert len({name for name, _ in defined}) == 2
+    (row,) = [line for line in (tmp_path / "README.md").read_text().splitlines() if f"`{defined[1][0]}` = 1" in line]
+    assert row.replace("\\|", "").count("|") == 8
+
+
+def test_numbered_macros_do_not_run_into_names_that_look_like_them() -> None:
+    assert macros(["tip_w", "tip_phi"]) == ["TIP_W", "TIP_PHI"]
+    assert macros(["a-b", "a.b", "a_b_2", "a b"]) == ["A_B", "A_B_3", "A_B_2", "A_B_4"]
+
+
+@pytest.mark.parametrize("compiler", COMPILERS)
+def test_flags_that_would_blind_the_guards_are_refused_by_the_source(compiler: str, tmp_path: Path) -> None:
+    written(case("implicit"), tmp_path)
+    with pytest.raises(AssertionError, match="compile without -ffast-math"):
+        compile_c(compiler, ("-c", "-O2", "-ffast-math"), [tmp_path / "controller.c"], tmp_path / "controller.o")
+
+
+def test_what_no_float_can_hold_is_refused_for_float_and_goes_in_double(tmp_path: Path) -> None:
+    steep = dampen.read_scenario("he2017-sampled", ["controller.kind=boundary-damping", "controller.damping={tip_w=1e150}"])
+    written(steep, tmp_path)
+    with pytest.raises(ArgumentError, match=r"`--float` must be left out: .* 1e\+150") as refused:
+        written(steep, tmp_path, single=True)
+    assert len(refused.value.lines) == 1
+
+
+@pytest.mark.parametrize(
+    ("guards", "said"),
+    [
+        (Guards(patience=2**31), "`patience` must be a whole number from 0 to 30000"),
+        (Guards(patience=-1), "`patience` must be a whole number"),
+        (Guards({"tip_w": (1.0, 0.0)}), "`--range tip_w` must have LOW < HIGH"),
+        (Guards({"tip_w": (math.nan, 0.0)}), "`--range tip_w` must have LOW < HIGH"),
+        (Guards({"nose": (0.0, 1.0)}), "`--range nose` is not a port"),
+    ],
+)
+def test_guards_that_could_not_guard_are_refused_in_one_line(guards: Guards, said: str) -> None:
+    with pytest.raises(ArgumentError, match=said) as refused:
+        blueprint(case("implicit"), guards=guards)
+    assert len(refused.value.lines) == 1
+
+
+@pytest.mark.parametrize("name", ["norm-optimal", "pd-type", "p-type", "implicit"])
+def test_a_trial_whose_first_readings_are_missing_learns_nothing_from_before_the_start(name: str, tmp_path: Path) -> None:
+    """After a start, or a restart where learning is at the end of a trial, all is as in a controller that has just been made."""
+    afresh = dampen.read_scenario(CASES[name][0], [*CASES[name][1:], "task.start=reset", "task.trials=1"])
+    if name == "pd-type":
+        afresh = replace(afresh, controller=replace(afresh.controller, lead=0.0))
+    bench = Bench(afresh)
+    (trial,) = record(afresh, bench)
+    blind = trial.readings.copy()
+    blind[:4] = np.nan
+    found = []
+    for used in (False, True):
+        folder = tmp_path / str(used)
+        folder.mkdir()
+        bare = built(afresh, folder, guards=GOING, bench=bench)
+        if used:
+            for reading in trial.readings[:50]:
+                bare.step(reading + 0.01)
+            (bare.library.bench_restart if name == "norm-optimal" else bare.start)()
+        assert bare.trial(blind)[0] == 1
+        found.append(bare.trial(trial.readings)[1])
+    np.testing.assert_array_equal(found[0], found[1])
+    assert np.abs(found[0]).max() < 30
+
+
+@pytest.mark.parametrize("delay", ["0.0015", "0.003"])
+def test_the_float_bound_knows_that_a_late_law_carries_its_own_rounding_on(delay: str, tmp_path: Path) -> None:
+    late = dampen.read_scenario(
+        "he2017-sampled", [f"sampling.delay={delay}", "numerics.step=0.0005", "task.trials=2", "numerics.modes=40"]
+    )
+    bench = Bench(late)
+    trials = tuple(record(late, bench))
+    largest = np.abs([trial.commands for trial in trials]).max(axis=(0, 1))
+    bare, bound = built(late, tmp_path, True, GOING, bench), stated_bound(late, trials, bench)
+    off = np.abs(np.array([bare.trial(t.readings)[1] for t in trials]) - [t.commands for t in trials]).max(axis=(0, 1))
+    assert np.all(off <= bound)
+    if delay == "0.003":  # the factor is beyond 1: only the size of the commands is left
+        np.testing.assert_array_equal(bound, 2 * largest)
+    else:
+        assert np.all(bound < 0.05 * largest)
+
+
+def test_the_gains_of_a_linear_law_count_its_states_as_long_as_they_last() -> None:
+    slow = dampen.read_scenario(
+        "string-tip-mass", [SAMPLED, "controller.kind=lqg", "controller.error_weight={}", "task.trials=1"]
+    )
+    blue, one = blueprint(slow), np.zeros(1)
+    state, command, total = np.zeros(len(blue.sampler.state)), np.zeros(1), 0.0
+    for k in range(blue.samples):
+        blue.law(Sample(np.array([float(k == 0)]), *(one,) * 7), state, np.ravel(blue.sampler.parameters), command)
+        total += abs(command[0])
+    assert linear_gains(blue)[0, 0] == pytest.approx(total, rel=1e-9)
 
 
 def test_guards_that_do_not_act_change_no_bit(tmp_path: Path) -> None:
@@ -217,6 +356,8 @@ int main(int argc, char **argv)
         if (status == DAMPEN_TRIAL_OVER) dampen_end_trial(&c, reading);
         if (status >= DAMPEN_STOPPED_SENSOR && next() % 4 == 0) dampen_restart(&c);
         if (status == DAMPEN_STOPPED_FAULT) dampen_init(&c);
+        if (next() % 2000 == 0) dampen_end_trial(&c, reading); /* out of turn */
+        if (next() % 8000 == 0) dampen_restart(&c);
     }
     for (int k = 0; k < 7; k++) printf("%ld ", seen[k]);
     return 0;
@@ -224,13 +365,15 @@ int main(int argc, char **argv)
 """
 
 
+@pytest.mark.parametrize("compiler", COMPILERS)
 @pytest.mark.parametrize("single", [False, True])
 @pytest.mark.parametrize("stop", [False, True])
 @pytest.mark.parametrize("name", ["implicit", "explicit", "pd-type", "lqg"])
 def test_any_bit_pattern_as_reading_gives_numbers_within_the_output_limit(
-    name: str, stop: bool, single: bool, tmp_path: Path
+    name: str, stop: bool, single: bool, compiler: str, tmp_path: Path
 ) -> None:
-    """With the guards as they are, and with guards that believe anything and do not stop, so that the law gets to see it.
+    """With the guards as they are, and with guards that believe anything and do not stop, so that the law gets to see it; trials
+    are ended and begun afresh out of turn now and then.
 
     More than a million readings in all; with DAMPEN_FUZZ_STEPS=10000000 ten million for each controller.
     """
@@ -241,7 +384,7 @@ def test_any_bit_pattern_as_reading_gives_numbers_within_the_output_limit(
     source = written(limited, tmp_path, single, Guards({} if stop else wild, 5, stop), bench)
     driven = ("-DDRIVEN",) if source.stages else ()
     (tmp_path / "fuzz.c").write_text(FUZZ)
-    compile_c(COMPILERS[0], (*CHECKED, *driven), [tmp_path / "controller.c", tmp_path / "fuzz.c"], tmp_path / "fuzz")
+    compile_c(compiler, (*CHECKED, *driven), [tmp_path / "controller.c", tmp_path / "fuzz.c"], tmp_path / "fuzz")
     done = subprocess.run([tmp_path / "fuzz", str(steps), "6.0"], capture_output=True, text=True, check=False)
     assert done.returncode == 0, done.stdout + done.stderr
     seen = list(map(int, done.stdout.split()))
@@ -418,6 +561,16 @@ def on_the_command_line(*arguments: str) -> subprocess.CompletedProcess[str]:
     )
 
 
+def test_the_shipped_sampled_experiment_has_limits_that_it_does_not_come_near(tmp_path: Path) -> None:
+    _, trials = recorded("implicit", lambda: case("implicit"))
+    limits = np.array(list(case("implicit").sampling.command_limit.values()))
+    assert np.all(2.5 * np.abs([trial.commands for trial in trials]).max(axis=(0, 1)) < limits)
+    done = on_the_command_line("he2017-sampled", "--out", str(tmp_path / "firmware"), "--set", "task.trials=1")
+    assert done.returncode == 0
+    assert not done.stderr
+    assert "No output limit" not in (tmp_path / "firmware" / "README.md").read_text()
+
+
 def test_the_command_line_writes_a_folder_that_tests_itself(tmp_path: Path) -> None:
     folder, limit = tmp_path / "firmware", "sampling.command_limit={tip_w=5.0,tip_phi=5.0}"
     done = on_the_command_line(
@@ -443,6 +596,9 @@ def test_the_command_line_writes_a_folder_that_tests_itself(tmp_path: Path) -> N
     [
         (("he2017",), 'Argument `numerics.mode` must be "sampled"'),
         (("he2017-sampled", "--range", "tip_w=1:0"), "Option `--range` must look like PORT=LOW:HIGH"),
+        (("he2017-sampled", "--range", "tip_w=0:1", "--range", "tip_w=0:2"), "Option `--range` must be given once for a port"),
+        (("he2017-sampled", "--range", "tip_w=5:6"), "Argument `plant.initial` starts outside the constraint, or the readings"),
+        (("he2017-sampled", "--patience", "3000000000"), "Argument `patience` must be a whole number from 0 to 30000"),
         (("he2017-sampled", "--range", "nose=0:1"), "Option `--range nose` is not a port of this plant"),
     ],
 )

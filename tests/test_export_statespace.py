@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+import math
 import subprocess
 import sys
 from dataclasses import dataclass, replace
 from pathlib import Path
+from typing import Any, BinaryIO
 
 import control
 import numpy as np
@@ -16,7 +18,9 @@ from scipy.linalg import expm
 import dampen
 from dampen.cli import main
 from dampen.export.balanced import balanced
+from dampen.export.files import write_model
 from dampen.export.linear import linear_model
+from dampen.plants.assembled import Assembled, AssembledPort
 from dampen.simulation.stores import FileStore
 from tests.conftest import scenario
 
@@ -209,6 +213,68 @@ def test_a_mat_file_read_back_is_the_python_object(tmp_path: Path, monkeypatch: 
         assert dampen.read_scenario(tmp_path / "again.toml") == scenario()
 
 
+@pytest.mark.parametrize("name", ["beam.mat", "beam.npz"])
+def test_a_file_that_is_there_stays_whole_where_the_new_one_cannot_be_written(
+    name: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def full(file: BinaryIO, *_: object, **__: object) -> None:
+        file.write(b"half")
+        raise OSError(28, "No space left on device")
+
+    monkeypatch.setattr("scipy.io.savemat", full)
+    monkeypatch.setattr("numpy.savez_compressed", full)
+    (tmp_path / name).write_bytes(b"the last one")
+    with pytest.raises(dampen.ArgumentError, match=r"cannot be written: No space left on device\."):
+        write_model(tmp_path / name, linear_model(scenario(), 3), scenario())
+    assert [path.read_bytes() for path in tmp_path.iterdir()] == [b"the last one"]
+
+
+@pytest.mark.parametrize(
+    ("arguments", "said"),
+    [
+        ({"discrete": "yes"}, "`discrete` must be true, false or a time step > 0 s, but is 'yes'"),
+        ({"discrete": -0.1}, "`discrete` must be true, false or a time step > 0 s, but is -0.1"),
+        ({"discrete": math.inf}, "`discrete` must be"),
+        ({"modes": 6.0}, "`modes` must be a whole number from 1 to"),
+        ({"modes": True}, "`modes` must be a whole number from 1 to"),
+        ({"inputs": 3}, "`inputs` must be one or more of ports, base, modal, but is 3"),
+        ({"modes": 6, "balanced": 2.5}, "`balanced` must be a whole number from 1 to the 12 states of the model, but is 2.5"),
+    ],
+)
+def test_wrong_arguments_from_python_are_told_in_one_line(arguments: dict[str, Any], said: str) -> None:
+    with pytest.raises(dampen.ArgumentError, match=said) as error:
+        dampen.state_space(experiment(LOADED), **arguments)
+    assert len(error.value.lines) == 1
+
+
+@pytest.mark.parametrize("names", [("tip.w", "tip_w"), ("x", "x_rate")])
+def test_every_signal_has_a_name_of_its_own_whatever_the_ports_are_called(names: tuple[str, str]) -> None:
+    matrices = Assembled(
+        mass=np.eye(2).tolist(), stiffness=np.eye(2).tolist(), port_vectors=np.eye(2).tolist(),
+        port=tuple(AssembledPort(name) for name in names),
+    )  # fmt: skip
+    model = dampen.state_space(
+        dampen.Scenario(
+            plant=matrices, controller=dampen.NoControl(), disturbance=dampen.NoDisturbance(), numerics=dampen.Numerics(modes=2)
+        ),
+        rates=True,
+    )
+    assert len(model.output_labels) == model.noutputs == 4
+    assert len(model.input_labels) == model.ninputs == 2
+
+
+def test_a_name_in_the_place_of_a_scenario_is_told_in_one_line() -> None:
+    with pytest.raises(dampen.ArgumentError, match=r"`scenario` must be a Scenario, as `dampen\.read_scenario` makes them"):
+        dampen.state_space("he2017")  # type: ignore[arg-type]
+
+
+def test_numbers_of_numpy_mean_what_pythons_mean() -> None:
+    own = dampen.state_space(experiment(LOADED), np.int64(6), balanced=np.int64(4), discrete=np.True_)
+    assert own.dt == 1e-3
+    assert own.nstates == 4
+    assert dampen.state_space(experiment(LOADED), 6, discrete=np.False_).dt == 0
+
+
 def test_a_result_goes_to_a_mat_file_whole(tmp_path: Path) -> None:
     from dampen.export.files import write_result
 
@@ -245,6 +311,7 @@ def test_a_result_file_goes_to_a_mat_file_from_the_command_line(tmp_path: Path, 
         (["statespace", "he2017", "--out", "beam.mat", "--modes", "0"], "Argument `modes` must be a whole number from 1 to"),
         (["statespace", "he2017", "--out", "beam.mat", "--balanced", "4"], "needs a plant whose every mode decays"),
         (["statespace", "he2017", "--out", "beam.mat", "--step", "0.1"], "`--step` must be > 0 s and go with `--discrete`"),
+        (["statespace", "he2017", "--out", "beam.mat", "--discrete", "--step", "inf"], "`--step` must be > 0 s"),
         (["statespace", "he2018", "--out", "beam.mat"], "did you mean `he2017`?"),
         (["result", "none.nc", "--out", "run.mat"], "there is no such file"),
     ],

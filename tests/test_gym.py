@@ -2,11 +2,15 @@
 
 from __future__ import annotations
 
+import copy
+import pickle
 import subprocess
 import sys
 import warnings
+from collections.abc import Callable
 from dataclasses import replace
 from pathlib import Path
+from typing import Any
 
 import gymnasium
 import numpy as np
@@ -259,8 +263,12 @@ def test_a_picture_shows_the_structure() -> None:
         ({"period": 0.0007}, "`sampling.period` must"),
         ({"command_limit": {"tip": 1.0}}, "`command_limit.tip` is not a port"),
         ({"command_limit": -1.0}, "`command_limit.tip_w` must be a number > 0"),
-        ({"effort_weight": -1.0}, "`effort_weight` must be >= 0"),
+        ({"effort_weight": -1.0}, "`effort_weight` must be a number >= 0"),
+        ({"effort_weight": "much"}, "`effort_weight` must be a number >= 0"),
+        ({"period": "often"}, "`period` must be a number of seconds > 0"),
         ({"scenario": "he2018"}, "did you mean"),
+        ({"scenario": None}, "`scenario` must be a Scenario, the name of a shipped one or the path of a file, but is None"),
+        ({"overrides": "task.trials=1"}, "`overrides` must be a list of KEY=VALUE, but is 'task.trials=1'"),
         ({"scenario": SAMPLED, "overrides": ["task.trials=1"]}, "`overrides` must be left out"),
         ({"render_mode": "human"}, "`render_mode` must"),
         ({"overrides": ["controller.kind=none", "task.constraint={}"]}, "`command_limit.tip_w` must be given"),
@@ -272,11 +280,70 @@ def test_wrong_arguments_are_told_in_one_line(arguments: dict[str, object], said
     assert len(error.value.lines) == 1
 
 
-def test_an_action_that_is_no_number_is_refused() -> None:
+@pytest.mark.parametrize("action", [np.array([np.nan, 0.0]), np.zeros((2, 1)), np.zeros(3), 0.5, "ab", None, [0.0, [1.0]]])
+def test_an_action_that_is_no_number_is_refused(action: object) -> None:
     env = BeamEnv("he2017", overrides=FEW)
     env.reset()
-    with pytest.raises(dampen.ArgumentError, match="2 finite numbers"):
-        env.step(np.array([np.nan, 0.0]))
+    with pytest.raises(dampen.ArgumentError, match="2 finite numbers") as error:
+        env.step(action)  # type: ignore[arg-type]
+    assert "\n" not in str(error.value)
+
+
+@pytest.mark.parametrize(
+    ("arguments", "said"),
+    [
+        ({"num_envs": True}, "`num_envs` must be a whole number"),
+        ({"autoreset_mode": "next"}, "`autoreset_mode` must be one of NextStep, SameStep, Disabled, but is 'next'"),
+        ({"render_mode": "rgb_array"}, "`render_mode` must be left out"),
+    ],
+)
+def test_wrong_arguments_of_a_vector_are_told_in_one_line(arguments: dict[str, Any], said: str) -> None:
+    with pytest.raises(dampen.ArgumentError, match=said) as error:
+        BeamVectorEnv(scenario="he2017", overrides=FEW, **arguments)
+    assert len(error.value.lines) == 1
+
+
+def test_a_seed_that_is_no_whole_number_is_refused_for_a_vector() -> None:
+    with pytest.raises(dampen.ArgumentError, match=r"`seed` must be one whole number or 2, but is 1\.5"):
+        BeamVectorEnv(2, "he2017", overrides=FEW).reset(seed=1.5)  # type: ignore[arg-type]
+
+
+def test_limits_may_be_numbers_of_numpy() -> None:
+    env = BeamEnv("he2017", overrides=FEW, command_limit=np.float32(3), error_scale={"tip_w": np.int64(1), "tip_phi": 2})
+    np.testing.assert_array_equal(env.scaling.command, [3, 3])
+    np.testing.assert_array_equal(env.scaling.error, [1, 2])
+
+
+@pytest.mark.parametrize("copied", [copy.deepcopy, lambda env: pickle.loads(pickle.dumps(env))])
+def test_a_copy_goes_on_as_the_environment_would_have(copied: Callable[[Any], Any]) -> None:
+    """In the middle of the second trial, noise, disturbance and the generator of coming seeds included."""
+    noisy = replace(SAMPLED, disturbance=dampen.BandNoise(rms={"tip_w": 0.2}, low=1.0, high=20.0))
+    many, one = BeamVectorEnv(3, noisy, threads=2, command_limit=8.0), BeamEnv(noisy, command_limit=8.0)
+
+    def steps(both: tuple[BeamVectorEnv, BeamEnv], count: int, seen: Any) -> list[Any]:
+        found = [seen]
+        for _ in range(count):
+            found.append((both[0].step(-2 * found[-1][0][:, 2:4])[0], both[1].step(-2 * found[-1][1][2:4])[0]))
+        return found
+
+    last = steps((many, one), 130, (many.reset(seed=5)[0], one.reset(seed=5)[0]))[-1]
+    others = copied(many), copied(one)
+    ways = [[*steps(both, 100, last), (both[0].reset()[0], both[1].reset()[0])] for both in ((many, one), others)]
+    for a, b in zip(*ways, strict=True):
+        np.testing.assert_array_equal(a[0], b[0])
+        np.testing.assert_array_equal(a[0][0], a[1])
+        np.testing.assert_array_equal(a[1], b[1])
+
+
+@pytest.mark.parametrize("threads", [1, 2])
+def test_a_vector_may_be_closed_twice_and_says_so_afterwards(threads: int) -> None:
+    env = BeamVectorEnv(3, "he2017", overrides=FEW, threads=threads)
+    env.reset()
+    env.close()
+    env.close()
+    for again in (env.reset, lambda: env.step(np.zeros((3, 2)))):
+        with pytest.raises(gymnasium.error.ClosedEnvironmentError, match="have been closed"):
+            again()
 
 
 def test_more_than_the_memory_should_hold_is_refused() -> None:

@@ -15,6 +15,8 @@ from abc import ABC
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import MISSING, dataclass, fields
 from functools import cache
+from math import isfinite
+from numbers import Integral, Real
 from types import UnionType
 from typing import TYPE_CHECKING, Annotated, Any, ClassVar, Union, get_args, get_origin, get_type_hints
 
@@ -57,6 +59,16 @@ class ArgumentError(ValueError):
 def wrong(name: str, must: str, value: object) -> ArgumentError:
     """The one form that a complaint about an argument takes."""
     return ArgumentError(f"Argument `{name}` must {must}, but is {shown(value)}.")
+
+
+def is_whole(value: object) -> bool:
+    """Whether a value is a whole number, of Python's or NumPy's; True and False are none."""
+    return isinstance(value, Integral) and not isinstance(value, bool)
+
+
+def is_number(value: object) -> bool:
+    """Whether a value is a finite number, of Python's or NumPy's; True and False are none."""
+    return isinstance(value, Real) and not isinstance(value, bool) and isfinite(value)
 
 
 def check_order(lower: str, low: float, upper: str, high: float) -> None:

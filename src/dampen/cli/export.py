@@ -74,8 +74,10 @@ def statespace(
     from dampen.scenarios.read import read_scenario
 
     check_ending(file)
-    if step is not None and not (discrete and step > 0):
-        raise ArgumentError("Option `--step` must be > 0 s and go with `--discrete`.")
+    if step is not None and not (discrete and 0 < step < float("inf")):
+        raise ArgumentError(
+            f"Option `--step` must be > 0 s and go with `--discrete`, but is {step:g}{'' if discrete else ' alone'}."
+        )
     experiment = read_scenario(scenario, set_ or ())
     model = plant_model(
         experiment,
@@ -177,13 +179,15 @@ def fmu(
 
 def ranges(given: list[str]) -> dict[str, tuple[float, float]]:
     """PORT=LOW:HIGH, taken apart."""
-    found = {}
+    found: dict[str, tuple[float, float]] = {}
     for text in given:
-        port, _, ends = text.partition("=")
+        port, _, ends = text.rpartition("=")
         low, _, high = ends.partition(":")
+        if port in found:
+            raise ArgumentError(f"Option `--range` must be given once for a port, but is given again as {text!r}.")
         try:
             found[port] = float(low), float(high)
-            fine = -1e30 < found[port][0] < found[port][1] < 1e30
+            fine = found[port][0] < found[port][1]
         except ValueError:
             fine = False
         if not fine:

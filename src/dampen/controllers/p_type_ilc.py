@@ -109,4 +109,10 @@ def low_pass(signal: Array, cutoff: float | None, dt: float) -> Array:
         return signal
     from scipy.signal import butter, sosfiltfilt
 
-    return np.asarray(sosfiltfilt(butter(2, cutoff, fs=1 / dt, output="sos"), signal, axis=0))
+    section = butter(2, cutoff, fs=1 / dt, output="sos")
+    return np.asarray(sosfiltfilt(section, signal, axis=0, padlen=mirrored(len(signal))))
+
+
+def mirrored(samples: int) -> int:
+    """By how many samples the low-pass goes on at both ends, with the mirror image: three for each coefficient, if there are."""
+    return min(9, samples - 1)

@@ -6,7 +6,7 @@ from dataclasses import replace
 
 import numpy as np
 
-from dampen.component import ArgumentError, wrong
+from dampen.component import ArgumentError, is_whole, wrong
 from dampen.export.linear import Array, LinearModel
 
 ROUND_OFF = 1e-13  # of the largest Hankel singular value: states below it are noise
@@ -24,8 +24,8 @@ def balanced(model: LinearModel, order: int) -> tuple[LinearModel, Array]:
     from scipy.linalg import svd
 
     size = len(model.a)
-    if not 1 <= order <= size:
-        raise wrong("balanced", f"be from 1 to the {size} states of the model", order)
+    if not (is_whole(order) and 1 <= order <= size):
+        raise wrong("balanced", f"be a whole number from 1 to the {size} states of the model", order)
     z, y = _root(*_gramian(model.a, model.b, model.dt)), _root(*_gramian(model.a.T, model.c.T, model.dt))
     u, s, vt = svd(y.T @ z)
     if s[order - 1] <= ROUND_OFF * s[0]:

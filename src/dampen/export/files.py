@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Mapping
 from pathlib import Path
-from typing import Any
+from typing import Any, BinaryIO
 
 import numpy as np
 
@@ -51,18 +51,27 @@ def write(path: Path, content: Mapping[str, Any]) -> None:
     large = [name for name, value in content.items() if isinstance(value, np.ndarray) and value.nbytes > LARGEST]
     if large and path.suffix == ".mat":
         raise ArgumentError(f"Output file `{path}` cannot hold `{large[0]}`, more than 2 GB; an .npz file can.")
+    part = path.with_name(f"{path.name}.part")  # a file that is there stays whole until the new one is
     try:
-        with path.open("wb") as file:
-            if path.suffix == ".npz":
-                arrays: dict[str, Any] = {name: np.asarray(value) for name, value in content.items()}
-                np.savez_compressed(file, **arrays)
-                return
-            from scipy.io import savemat
-
-            content = {name: cells(value) for name, value in content.items()}
-            savemat(file, content, long_field_names=True, do_compression=True)  # type: ignore[arg-type]  # the stubs know no open file
+        with part.open("wb") as file:
+            fill(file, path.suffix, content)
+        part.replace(path)
     except OSError as error:
         raise ArgumentError(f"Output file `{path}` cannot be written: {error.strerror or error}.") from None
+    finally:
+        part.unlink(missing_ok=True)
+
+
+def fill(file: BinaryIO, ending: str, content: Mapping[str, Any]) -> None:
+    """Write to an open file what goes into a .mat or an .npz file."""
+    if ending == ".npz":
+        arrays: dict[str, Any] = {name: np.asarray(value) for name, value in content.items()}
+        np.savez_compressed(file, **arrays)
+        return
+    from scipy.io import savemat
+
+    cased = {name: cells(value) for name, value in content.items()}
+    savemat(file, cased, long_field_names=True, do_compression=True)  # type: ignore[arg-type]  # the stubs know no open file
 
 
 def check_ending(path: Path) -> None:

@@ -8,7 +8,8 @@ from typing import Literal, get_args
 
 import numpy as np
 
-from dampen.component import ArgumentError, wrong
+from dampen.component import ArgumentError, is_number, is_whole, wrong
+from dampen.export.names import distinct
 from dampen.export.residual import residual_compliance
 from dampen.modal import propagator
 from dampen.plants.base import Modes
@@ -76,18 +77,20 @@ def linear_model(
         c = np.vstack([c, np.hstack([np.zeros_like(found.b), found.b])])
         d = np.vstack([d, np.zeros_like(d)])
         outputs += [(f"{port.name}_rate", f"{port.motion_unit}/s") for port in found.ports]
+        outputs = list(zip(distinct([name for name, _ in outputs]), [unit for _, unit in outputs], strict=True))
     states = [(f"q_{i + 1}", "m sqrt(kg)") for i in range(n)] + [(f"q_{i + 1}_rate", "m sqrt(kg)/s") for i in range(n)]
     return LinearModel(a, b, c, d, tuple(states), tuple(given), tuple(outputs), dt)
 
 
 def _check(scenario: Scenario, modes: int | None, inputs: Sequence[str], dt: float) -> None:
-    if modes is not None and not (isinstance(modes, int) and 1 <= modes <= MODES_AT_MOST):
+    if modes is not None and not (is_whole(modes) and 1 <= modes <= MODES_AT_MOST):
         raise wrong("modes", f"be a whole number from 1 to {MODES_AT_MOST}", modes)
-    if not (np.isfinite(dt) and dt >= 0):
+    if not (is_number(dt) and dt >= 0):
         raise wrong("dt", "be >= 0 s", dt)
     known = get_args(Source)
-    if isinstance(inputs, str) or not inputs or any(name not in known for name in inputs) or len(set(inputs)) < len(inputs):
-        raise wrong("inputs", f"be one or more of {', '.join(known)}", inputs if isinstance(inputs, str) else tuple(inputs))
+    listed = isinstance(inputs, Sequence) and not isinstance(inputs, str)
+    if not listed or not inputs or any(name not in known for name in inputs) or len(set(inputs)) < len(inputs):
+        raise wrong("inputs", f"be one or more of {', '.join(known)}", tuple(inputs) if listed else inputs)
 
 
 def _pushes(modes: Modes, inputs: Sequence[str]) -> tuple[Array, list[tuple[str, str]]]:

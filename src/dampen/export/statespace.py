@@ -5,9 +5,12 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
-from dampen.component import ArgumentError
+import numpy as np
+
+from dampen.component import ArgumentError, is_number, wrong
 from dampen.export.balanced import balanced as truncated
 from dampen.export.linear import LinearModel, Source, linear_model
+from dampen.export.names import distinct
 from dampen.simulation.scenario import Scenario
 
 if TYPE_CHECKING:
@@ -25,9 +28,19 @@ def plant_model(
     discrete: bool | float = False,
 ) -> LinearModel:
     """The matrices of :func:`state_space`, for which python-control is not needed."""
-    dt = scenario.numerics.step if discrete is True else float(discrete)
-    model = linear_model(scenario, modes, inputs=inputs, rates=rates, residual=residual, dt=dt)
+    if not isinstance(scenario, Scenario):
+        raise wrong("scenario", "be a Scenario, as `dampen.read_scenario` makes them", scenario)
+    model = linear_model(scenario, modes, inputs=inputs, rates=rates, residual=residual, dt=sample_time(scenario, discrete))
     return model if balanced is None else truncated(model, balanced)[0]
+
+
+def sample_time(scenario: Scenario, discrete: bool | float) -> float:
+    """The time from sample to sample [s]; 0: continuous."""
+    if isinstance(discrete, bool | np.bool_):
+        return scenario.numerics.step if discrete else 0.0
+    if not (is_number(discrete) and discrete > 0):
+        raise wrong("discrete", "be true, false or a time step > 0 s", discrete)
+    return float(discrete)
 
 
 def state_space(
@@ -61,5 +74,7 @@ def state_space(
     model = plant_model(
         scenario, modes, inputs=inputs, rates=rates, residual=residual, balanced=balanced, discrete=discrete
     )  # fmt: skip
-    named = {key: [name.replace(".", "_") for name, _ in getattr(model, key)] for key in ("states", "inputs", "outputs")}
+    named = {
+        key: distinct([name.replace(".", "_") for name, _ in getattr(model, key)]) for key in ("states", "inputs", "outputs")
+    }
     return control.StateSpace(model.a, model.b, model.c, model.d, model.dt, name="plant", remove_useless_states=False, **named)

@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 from gymnasium.spaces import Box
 
-from dampen.component import ArgumentError, wrong
+from dampen.component import ArgumentError, is_whole, wrong
 from dampen.controllers.base import Array
 from dampen.gym.scaling import EFFORT, FARTHEST, ByPort, scaling_of
 from dampen.gym.stepper import Stepper
@@ -46,8 +46,12 @@ class Course:
         effort_weight: float = EFFORT,
     ):
         for name, number in (("num_envs", count), ("threads", threads)):
-            if not (isinstance(number, int | np.integer) and number >= 1):
+            if not (is_whole(number) and number >= 1):
                 raise wrong(name, "be a whole number >= 1", number)
+        if not isinstance(scenario, Scenario | str | Path):
+            raise wrong("scenario", "be a Scenario, the name of a shipped one or the path of a file", scenario)
+        if isinstance(overrides, str):
+            raise wrong("overrides", "be a list of KEY=VALUE", overrides)
         if not isinstance(scenario, Scenario):
             scenario = read_scenario(scenario, overrides)
         elif overrides:
@@ -82,11 +86,10 @@ class Course:
         known = np.minimum(np.maximum(np.concatenate(parts, axis=1), -FARTHEST), FARTHEST)
         return np.nan_to_num(known) if (fleet.crossed > 1).any() else known
 
-    def step(self, actions: Array, which: Array) -> Outcome:
+    def step(self, actions: Any, which: Array) -> Outcome:
         """Move some runs, (count,) true, by a sample period under actions (count, ports) in [-1, 1]; others rest."""
         stepper, fleet = self.stepper, self.stepper.fleet
-        if actions.shape != fleet.command.shape or not np.isfinite(actions[which]).all():
-            raise wrong("action", f"be {fleet.command.shape[1]} finite numbers for every environment", actions.tolist())
+        actions = self.checked(actions, which)
         fleet.command[which] = (np.minimum(np.maximum(actions, -1.0), 1.0) * self.scaling.command)[which]
         stepper.move(which)
         reward = np.where(which, -self.share * self.scaling.cost(fleet.square, fleet.effort), 0.0)
@@ -100,6 +103,18 @@ class Course:
                 stepper.next_trial(int(i))
             stepper.look(again)
         return Outcome(self.observation(), reward, terminated, truncated, ended)
+
+    def checked(self, given: Any, which: Array) -> Array:
+        """Actions (count, ports), those that count finite."""
+        shape = self.stepper.fleet.command.shape
+        must = f"be {shape[1]} finite numbers for every environment"
+        try:
+            actions = np.asarray(given, float)
+        except (TypeError, ValueError):
+            raise wrong("action", must, given) from None
+        if actions.shape != shape or not np.isfinite(actions[which]).all():
+            raise wrong("action", must, actions.tolist())
+        return actions
 
     def of_the_lost(self, reward: Array) -> Array:
         """(count,) rewards of steps that end at the constraint: all that was left of the episode counts as spent at the limits.

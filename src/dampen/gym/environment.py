@@ -90,7 +90,7 @@ class BeamEnv(gymnasium.Env[Array, Array]):
         """Hold an action for a sample period."""
         if not self._going:
             raise ArgumentError("The episode must be begun with `reset` before a `step`.")
-        outcome = self.course.step(np.asarray(action, float)[None], self._on)
+        outcome = self.course.step([action], self._on)
         terminated, truncated = bool(outcome.terminated[0]), bool(outcome.truncated[0])
         self._going = not (terminated or truncated)
         info = {**self.course.one(0), "trial_ended": bool(outcome.trial_ended[0])}

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from dampen.component import ArgumentError, wrong
+from dampen.component import ArgumentError, is_number, wrong
 from dampen.controllers.base import Array, Setting
 from dampen.controllers.scales import first_period, scales
 from dampen.simulation.scenario import Scenario
@@ -49,8 +49,8 @@ def scaling_of(
 
     Raises ArgumentError where nothing of all that is known.
     """
-    if not (np.isfinite(effort_weight) and effort_weight >= 0):
-        raise wrong("effort_weight", "be >= 0", effort_weight)
+    if not (is_number(effort_weight) and effort_weight >= 0):
+        raise wrong("effort_weight", "be a number >= 0", effort_weight)
     limits = {**scenario.sampling.command_limit, **by_port(scenario, "command_limit", command_limit)}
     errors = by_port(scenario, "error_scale", error_scale)
     stiffness = {s.port.name: s.stiffness for s in scales(setting)}
@@ -87,6 +87,6 @@ def by_port(scenario: Scenario, name: str, given: ByPort | None) -> Mapping[str,
         if port not in scenario.ports:
             known = ", ".join(scenario.ports)
             raise ArgumentError(f"Argument `{name}.{port}` is not a port of this plant; known here: {known}.")
-        if not (isinstance(number, int | float) and np.isfinite(number) and number > 0):
+        if not (is_number(number) and number > 0):
             raise wrong(f"{name}.{port}", "be a number > 0", number)
     return table

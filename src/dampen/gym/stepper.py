@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping, Sequence
 from concurrent.futures import ThreadPoolExecutor
+from typing import Any
 
 import numpy as np
 
@@ -63,12 +65,20 @@ class Stepper:
 
     def reset(self, i: int, random: np.random.Generator | None = None) -> None:
         """Run i back to the beginning of trial 0; with `random`, under seeds drawn from it."""
-        base = self.scenario
-        self.scenarios[i] = found = base if random is None else drawn(base, random)
-        same = (found.disturbance, found.task) == (base.disturbance, base.task)
-        self.benches[i] = self.bench if same else Bench(found, self.bench.modes, keep=0)
+        self._seat(i, self.scenario if random is None else drawn(self.scenario, random))
         self.fleet.command[i], self.fleet.crossed[i] = 0.0, 0
         self._begin(i, 0)
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        """Made anew and filled with what the arrays hold: kernel, benches and threads are not copied."""
+        made = self.scenario, self.count, len(self.bays)
+        return restored, (made, self.trial, self.scenarios, self.filled, tuple(self.fleet), tuple(self.bank))
+
+    def _seat(self, i: int, found: Scenario) -> None:
+        """Run i is of this scenario from now on."""
+        base = self.scenario
+        same = (found.disturbance, found.task) == (base.disturbance, base.task)
+        self.scenarios[i], self.benches[i] = found, self.bench if same else Bench(found, self.bench.modes, keep=0)
 
     def advance(self) -> None:
         """Move every run that has MOVE in `fleet.todo`; those with LOOK only read their sensors."""
@@ -169,3 +179,18 @@ class Stepper:
         own = Step(step.dt, step.per_dt, step.b, step.g, aligned(step.g))
         record = empty_record(self.gear.period, ports, self.bench.modes.count, self.gear.period + 1)
         return Bay(own, record, np.zeros(ports), np.zeros(ports), np.zeros(1), np.zeros((1, ports)))
+
+
+def restored(
+    made: tuple[Scenario, int, int], trial: Array, scenarios: Sequence[Scenario], filled: Mapping[int, int],
+    fleet: Sequence[Array], bank: Sequence[Array],
+) -> Stepper:  # fmt: skip
+    """A stepper as it was: the arrays are written into its own, which its parts share."""
+    stepper = Stepper(*made)
+    stepper.filled.update(filled)
+    for i, scenario in enumerate(scenarios):
+        stepper._seat(i, scenario)
+    own = (stepper.trial, *stepper.fleet, *stepper.bank)
+    for array, kept in zip(own, (trial, *fleet, *bank), strict=True):
+        array[...] = kept
+    return stepper

@@ -8,6 +8,7 @@ from typing import Any
 
 import gymnasium
 import numpy as np
+from gymnasium.error import ClosedEnvironmentError
 from gymnasium.utils.seeding import np_random
 from gymnasium.vector import AutoresetMode, VectorEnv
 from gymnasium.vector.utils import batch_space
@@ -51,7 +52,11 @@ class BeamVectorEnv(VectorEnv[Array, Array, Array]):
             error_scale=error_scale, effort_weight=effort_weight,
         )  # fmt: skip
         self.num_envs, self.render_mode, self.spec = num_envs, None, None
-        self.autoreset_mode = AutoresetMode(autoreset_mode)
+        try:
+            self.autoreset_mode = AutoresetMode(autoreset_mode)
+        except ValueError:
+            known = ", ".join(mode.value for mode in AutoresetMode)
+            raise wrong("autoreset_mode", f"be one of {known}", autoreset_mode) from None
         self.metadata = {"autoreset_mode": self.autoreset_mode, "render_modes": []}
         self.single_action_space, self.single_observation_space = self.course.action_space, self.course.observation_space
         self.action_space: gymnasium.Space[Array] = batch_space(self.single_action_space, num_envs)
@@ -69,15 +74,16 @@ class BeamVectorEnv(VectorEnv[Array, Array, Array]):
         self, *, seed: int | Sequence[int | None] | None = None, options: dict[str, Any] | None = None
     ) -> tuple[Array, dict[str, Any]]:
         """All environments, or those in the option `reset_mask` (num_envs,), back to the beginning of trial 0."""
+        self._open()
         mask = np.asarray((options or {}).get("reset_mask", np.ones(self.num_envs, bool)), bool)
         if mask.shape != (self.num_envs,):
             raise wrong("options.reset_mask", f"have {self.num_envs} entries", list(mask.shape))
         if not (self._begun or mask.all()):
             raise ArgumentError("All environments must be begun with `reset` before some of them.")
         seeds = [None] * self.num_envs if seed is None else seed
-        seeds = [seeds + i for i in range(self.num_envs)] if isinstance(seeds, int | np.integer) else seeds
-        if len(seeds) != self.num_envs:
-            raise wrong("seed", f"be one number or {self.num_envs}", list(seeds))
+        seeds = [int(seeds) + i for i in range(self.num_envs)] if isinstance(seeds, int | np.integer) else seeds
+        if not (isinstance(seeds, Sequence | np.ndarray) and len(seeds) == self.num_envs):
+            raise wrong("seed", f"be one whole number or {self.num_envs}", seeds)
         for i in np.flatnonzero(mask):
             one = seeds[int(i)]
             self._random[i] = self._random[i] if one is None else np_random(int(one))[0]
@@ -86,12 +92,13 @@ class BeamVectorEnv(VectorEnv[Array, Array, Array]):
 
     def step(self, actions: Array) -> tuple[Array, Array, Array, Array, dict[str, Any]]:
         """Hold actions (num_envs, ports) for a sample period."""
+        self._open()
         if not self._begun:
             raise ArgumentError("The episodes must be begun with `reset` before a `step`.")
         over = self._over.copy()
         if over.any() and self.autoreset_mode is AutoresetMode.DISABLED:
             raise ArgumentError("Episodes that are over must be begun anew with `reset`: `autoreset_mode` is DISABLED.")
-        outcome = self.course.step(np.asarray(actions, float), ~over)
+        outcome = self.course.step(actions, ~over)
         self._over = outcome.terminated | outcome.truncated
         observation = outcome.observation
         info = self._info(outcome.trial_ended)
@@ -105,6 +112,10 @@ class BeamVectorEnv(VectorEnv[Array, Array, Array]):
     def close_extras(self, **kwargs: Any) -> None:
         """Let go of the threads."""
         self.course.stepper.close()
+
+    def _open(self) -> None:
+        if self.closed:
+            raise ClosedEnvironmentError("The environments have been closed: `reset` and `step` need them open.")
 
     def _begin(self, which: Array) -> Array:
         """Begin new episodes where `which` is true; the observations of all."""

@@ -8,6 +8,7 @@ from typing import Annotated, ClassVar
 import numpy as np
 from typing_extensions import Doc
 
+from dampen.component import is_number, wrong
 from dampen.controllers.base import Array, Controller, SampledFeedback, SampledStep, Setting
 from dampen.port import Port
 from dampen.simulation.sampling import Sampling
@@ -51,6 +52,8 @@ def seated(scenario: Scenario, period: float | None = None, inverts: bool = Fals
         command_limit=given.command_limit,
     )  # fmt: skip
     if period is not None:
+        if not (is_number(period) and period > 0):
+            raise wrong("period", "be a number of seconds > 0", period)
         sampling = replace(sampling, period=float(period))
     if inverts:
         sampling = replace(sampling, command_limit={})

@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Any
 
 import numpy as np
 
-from dampen.component import ArgumentError, own_name
+from dampen.component import ArgumentError, is_whole, own_name, wrong
 from dampen.controllers.base import Controller, SampledFeedback, Setting
 from dampen.controllers.none import NoControl
 from dampen.controllers.norm_optimal_ilc import NormOptimalILC
@@ -28,6 +28,8 @@ from dampen.simulation.setting import of_trial, setting_of
 Array = np.ndarray
 ROOM = 2.0  # readings are believed up to so many times the constraint's half-width from its middle
 FAR = 1e3  # m, rad: where a port has no constraint
+HUGE = 1e30  # m, rad: what a float can still be added to
+PATIENCE = 30_000  # readings: an int of any processor can count them
 LARGEST = 3.4028234663852886e38, 1.7976931348623157e308  # float, double
 
 
@@ -39,6 +41,19 @@ class Guards:
     believed: Mapping[str, tuple[float, float]] = field(default_factory=dict)
     patience: int = 5
     stop_at_constraint: bool = True
+
+    def check(self, ports: Sequence[str]) -> None:
+        """Raise ArgumentError for what no controller could look after itself with."""
+        if not (is_whole(self.patience) and 0 <= self.patience <= PATIENCE):
+            raise wrong("patience", f"be a whole number from 0 to {PATIENCE}", self.patience)
+        for name, ends in self.believed.items():
+            if name not in ports:
+                raise ArgumentError(f"Option `--range {name}` is not a port of this plant; known here: {', '.join(ports)}.")
+            low, high = ends
+            if not -HUGE <= low < high <= HUGE:
+                raise ArgumentError(
+                    f"Option `--range {name}` must have LOW < HIGH, both of at most {HUGE:g}, but has {low:g}:{high:g}."
+                )
 
 
 @dataclass(frozen=True)
@@ -94,7 +109,9 @@ def blueprint(
 ) -> Blueprint:
     """The scenario's controller, ready to be written in C. Raises ArgumentError where that cannot be done."""
     refuse(scenario)
-    bench, guards = bench or Bench(scenario), guards or Guards()
+    guards = guards or Guards()
+    guards.check(scenario.ports)
+    bench = bench or Bench(scenario)
     setting = setting_of(scenario, bench=bench)
     refuse_wandering(scenario, setting)
     law = law_of(scenario, begun(scenario.controller, setting), setting)
@@ -168,7 +185,4 @@ def believed(scenario: Scenario, setting: Setting, guards: Guards) -> Array:
         middle, room = (least + most) / 2, ROOM * (most - least) / 2
         own_range = (middle - room, middle + room) if np.isfinite(room) else (-FAR, FAR)
         found.append(guards.believed.get(name, own_range))
-    for name in guards.believed:
-        if name not in scenario.ports:
-            raise ArgumentError(f"Option `--range {name}` is not a port of this plant; known here: {', '.join(scenario.ports)}.")
     return np.array(found)

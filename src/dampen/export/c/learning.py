@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 
 from dampen.controllers.norm_optimal_ilc import ITERATIONS, TOLERANCE, NormOptimalILC
-from dampen.controllers.p_type_ilc import PDTypeILC, PTypeILC
+from dampen.controllers.p_type_ilc import PDTypeILC, PTypeILC, mirrored
 from dampen.controllers.pointwise import PointwiseLearning
 from dampen.export.c.blueprint import Blueprint
 from dampen.export.c.numbers import literal
@@ -62,9 +62,9 @@ def learning_of(blue: Blueprint) -> Learning:
     return Learning()
 
 
-def a_trial(blue: Blueprint, name: str, note: str, type: str = "dampen_real") -> Slot:
+def a_trial(blue: Blueprint, name: str, note: str, type: str = "dampen_real", restart: str = "") -> Slot:
     """A number for every sample and port."""
-    return Slot(name, "[DAMPEN_SAMPLES][DAMPEN_PORTS]", blue.samples * blue.ports, note, type)
+    return Slot(name, "[DAMPEN_SAMPLES][DAMPEN_PORTS]", blue.samples * blue.ports, note, type, restart)
 
 
 def pointwise(blue: Blueprint, controller: PointwiseLearning) -> Learning:
@@ -88,22 +88,21 @@ def gains(blue: Blueprint, controller: PTypeILC) -> Learning:
         "filter": None,
     }
     if controller.cutoff is not None and controller.cutoff * setting.dt < 0.5:
-        names["filter"] = low_pass(controller.cutoff, setting.dt, single)
+        names["filter"] = low_pass(controller.cutoff, setting.dt, blue.samples, single)
         room = blue.samples + 2 * names["filter"]["pad"]
         slots.append(Slot("work", f"[{room}]", room, "for the low-pass"))
     note = "by port: learning gain" + (", and that on the rate" if len(columns) > 1 else "")
     return Learning(("learned",), tuple(slots), (Table("LEARNING", np.column_stack(columns), note),), names)
 
 
-def low_pass(cutoff: float, dt: float, single: bool) -> dict[str, Any]:
+def low_pass(cutoff: float, dt: float, samples: int, single: bool) -> dict[str, Any]:
     """The section of `p_type_ilc.low_pass`, its state at rest under 1, and by how much signals are extended at both ends."""
     from scipy.signal import butter, sosfilt_zi
 
     sections = butter(2, cutoff, fs=1 / dt, output="sos")
     section, steady = sections[0], sosfilt_zi(sections)[0]
-    pad = 3 * (3 - int(min(section[2] == 0, section[5] == 0)))
     write = {"b": section[:3], "a": section[3:], "steady": steady}
-    return {"pad": pad, **{name: [literal(v, single) for v in values] for name, values in write.items()}}
+    return {"pad": mirrored(samples), **{name: [literal(v, single) for v in values] for name, values in write.items()}}
 
 
 def lifted(blue: Blueprint, controller: NormOptimalILC) -> Learning:
@@ -111,7 +110,9 @@ def lifted(blue: Blueprint, controller: NormOptimalILC) -> Learning:
     is badly conditioned."""
     setting = blue.setting
     response = setting.response().reshape(blue.samples, -1)
-    notes = {"learned": "learned commands", "error": "tracking errors", "rest": "", "way": "", "product": ""}
+    notes = {"learned": "learned commands", "rest": "", "way": "", "product": ""}
+    slots = [a_trial(blue, *item, type="double") for item in notes.items()]
+    slots.append(a_trial(blue, "error", "tracking errors; 0 as long as none is known", "double", "no_errors(c);"))
     names = {
         "effort": literal(controller.effort_weight),
         "ridge": literal(controller.effort_weight + controller.change_weight),
@@ -122,4 +123,4 @@ def lifted(blue: Blueprint, controller: NormOptimalILC) -> Learning:
         Table("RESPONSE", response, "errors, by port, after a unit of command, by port, in the first sample", True, True),
         Table("WEIGHT", setting.by_port(controller.error_weight, 1.0)[None, :], "of the error, by port", wide=True),
     )
-    return Learning(("learned",), tuple(a_trial(blue, *item, type="double") for item in notes.items()), tables, names)
+    return Learning(("learned",), tuple(slots), tables, names)

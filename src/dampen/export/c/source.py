@@ -16,6 +16,7 @@ from dampen.export.c.blueprint import LARGEST, Blueprint, compensation
 from dampen.export.c.learning import Learning, Slot, Table, learning_of
 from dampen.export.c.numbers import literal, rows
 from dampen.export.c.translate import Translator
+from dampen.export.names import distinct
 from dampen.release import version
 from dampen.simulation.digital import Sample, follow, limited
 from dampen.simulation.digital_law import COLUMNS, port_law
@@ -63,18 +64,24 @@ def template(name: str, package: str = "dampen.export.c") -> Template:
     environment = Environment(
         loader=loader, undefined=StrictUndefined, trim_blocks=True, lstrip_blocks=True, keep_trailing_newline=True
     )
-    environment.filters |= {"remark": remark, "identifier": identifier}
+    environment.filters |= {"remark": remark, "cell": cell}
     return environment.get_template(f"{name}.jinja")
 
 
 def remark(text: str) -> str:
-    """Text of the user's own as part of a comment, which it must not end."""
-    return " ".join(text.split()).replace("*/", "* /").replace("/*", "/ *").replace("??", "? ?")
+    """Text of the user's own as part of a comment, which it must not end; what cannot be seen becomes a space."""
+    seen = " ".join("".join(letter if letter.isprintable() else " " for letter in text).split())
+    return re.sub(r"(?<=\*)(?=/)|(?<=/)(?=\*)|(?<=\?)(?=\?)", " ", seen)
 
 
-def identifier(name: str) -> str:
-    """A port's name as part of a macro's."""
-    return re.sub(r"[^A-Z0-9]", "_", name.upper())
+def cell(text: str) -> str:
+    """Text of the user's own in a cell of a table."""
+    return remark(text).replace("|", "\\|")
+
+
+def macros(names: Sequence[str]) -> list[str]:
+    """Ports' names as parts of macros: another for each, also where they differ in no letter or digit."""
+    return distinct([re.sub(r"[^A-Z0-9]", "_", name.upper()) for name in names])
 
 
 def source_of(blue: Blueprint) -> Source:
@@ -157,6 +164,7 @@ def names_of(
         "name": blue.scenario.name,
         "version": version(),
         "ports": blue.setting.ports,
+        "macros": macros([port.name for port in blue.setting.ports]),
         "samples": blue.samples,
         "period": literal(blue.sampler.seconds, single),
         "seconds": literal(blue.sampler.seconds),

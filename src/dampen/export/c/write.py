@@ -14,7 +14,7 @@ from dampen.export.c.blueprint import Blueprint, Guards, blueprint, compensation
 from dampen.export.c.footprint import Footprint, footprint
 from dampen.export.c.numbers import literal, rows
 from dampen.export.c.recording import Recorded, record
-from dampen.export.c.rounding import MARGIN, float_bound
+from dampen.export.c.rounding import MARGIN, float_bound, returns
 from dampen.export.c.source import Source, source_of
 from dampen.simulation.bench import Bench
 from dampen.simulation.digital_law import EXPLICIT, port_law
@@ -84,7 +84,10 @@ def test_names(blue: Blueprint, trials: list[Recorded], bound: Array) -> dict[st
         commands = np.vstack([commands, second.commands[:AFTER]])
     count = healthy(blue, readings)
     if not count:
-        raise ArgumentError("Argument `plant.initial` starts outside what the controller's guards allow: it would stop at once.")
+        raise ArgumentError(
+            "Argument `plant.initial` starts outside the constraint, or the readings that are believed (`--range`): "
+            "the controller would stop at once."
+        )
     over_end = count > blue.samples
     return {
         "readings": rows(readings[:count], blue.single),
@@ -132,6 +135,7 @@ def readme_names(source: Source, cost: Footprint, bound: Array, count: int) -> d
         "bound": ", ".join(bounds),
         "margin": f"{MARGIN:g}",
         "explicit": bool(np.any(switching == EXPLICIT)),
+        "growing": bool(np.any(returns(blue) >= 1)),
     }
 
 
