@@ -437,6 +437,8 @@ def test_bad_calls_are_refused(what: str, units: Any) -> None:
         with pytest.raises(fmpy.fmi1.FMICallException):
             unit.step(0.0, 0.001)
         with pytest.raises(fmpy.fmi1.FMICallException):
+            unit.slave.setupExperiment(startTime=5.0)
+        with pytest.raises(fmpy.fmi1.FMICallException):
             unit.slave.setReal([10_000], [0.0])
         with pytest.raises(fmpy.fmi1.FMICallException):
             unit.slave.getReal([10_000])
