@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 import runpy
 import shutil
 import subprocess
@@ -13,16 +14,22 @@ from dataclasses import replace
 from functools import cache
 from pathlib import Path
 from typing import Any
+from xml.etree import ElementTree
 
 import numpy as np
 import pytest
 
 import dampen
 from dampen.cli import main
+from dampen.export.c.blueprint import Guards
+from dampen.export.fmu import plant as plants
 from dampen.export.fmu.building import compiler, platform_folder
 from dampen.export.fmu.plant import adjustable
+from dampen.export.fmu.write import write_whole
 from dampen.export.linear import linear_model
+from dampen.plants.assembled import AssembledPort
 from dampen.scenarios.read import read_scenario
+from dampen.simulation.bench import Bench
 from dampen.simulation.scenario import Scenario
 
 fmpy = pytest.importorskip("fmpy")
@@ -245,6 +252,121 @@ def test_states_can_be_taken_and_given_back(units: Any) -> None:
         assert np.array_equal(unit.get(*names), expected)
 
 
+def test_a_state_given_back_is_the_whole_state(units: Any) -> None:
+    its = scenario("paper")
+    names = [*each("displacement", its), *each("command", its)]
+    with running(units("paper", "loop"), begin=False) as unit:
+        unit.slave.setupExperiment(startTime=7.0)
+        unit.slave.enterInitializationMode()
+        before = unit.slave.getFMUState()
+        unit.slave.exitInitializationMode()
+        unit.step(7.0, 0.1)
+        running_state = unit.slave.getFMUState()
+        unit.step(7.1, 0.1)
+        expected = unit.get(*names)
+        unit.slave.terminate()
+        unit.slave.reset()
+        unit.slave.setFMUState(running_state)  # at 7.1 s, and it steps
+        unit.step(7.1, 0.1)
+        assert np.array_equal(unit.get(*names), expected)
+        unit.slave.setFMUState(before)  # not begun: fixed parameters can be set
+        unit.put({"start.q[1]": 0.0})
+        unit.slave.exitInitializationMode()
+        unit.step(7.0, 0.2)
+        assert not np.array_equal(unit.get(*names), expected)
+
+
+@pytest.mark.parametrize("exact", [True, False])
+def test_communication_points_are_rounded_far_from_zero(exact: bool, units: Any) -> None:
+    its, start, step, count = scenario("paper"), 1e8, 0.001, 1000
+    run = displaced(dampen.simulate(its))
+    with running(units("paper", "loop"), begin=False) as unit:
+        unit.begin(start)
+        at = start
+        for k in range(count):
+            after = start + (k + 1) * step if exact else at + step
+            unit.step(at, after - at if exact else step)
+            at = after
+        assert np.abs(unit.get(*each("displacement", its)) - run[count - 1]).max() < 1e-9
+        with pytest.raises(fmpy.fmi1.FMICallException):
+            unit.step(at + step, step)
+
+
+def test_a_compensation_that_moves_in_time_is_seen_at_every_step(tmp_path: Path) -> None:
+    changes = [*SHORT, "task.trial_duration=0.1", "controller.compensate=false", "sampling.period=0.002", "sampling.delay=0.002"]
+    fading = dampen.Effectiveness(times=(0.05, 0.1), values=(1.0, 0.2))
+    chain = {"tip_w": (fading, dampen.FirstOrderLag(0.005))}
+    its = replace(read_scenario("he2017-sampled", changes), compensation=chain)
+    run = displaced(dampen.simulate(its, compile=False))
+    plant, controller = (dampen.export_fmu(its, tmp_path / f"{what}.fmu", what) for what in ("plant", "controller"))
+    assert controller.step == plant.step == 0.001
+    with running(plant.file) as one, running(controller.file, begin=False) as other:
+        other.get(*each("drive", its))  # to look at it changes nothing
+        other.begin()
+        assert np.abs(together(one, other, its, 0.001) - run).max() < 1e-9 * np.abs(run).max()
+
+
+def test_three_ports_of_odd_names(tmp_path: Path) -> None:
+    names = ('a"<b>', "b & c", "d */ \N{GREEK SMALL LETTER PI}")
+    stiffness = 2000 * (2 * np.eye(4) - np.eye(4, k=1) - np.eye(4, k=-1))
+    plant = dampen.Assembled(
+        mass=0.5 * np.eye(4), stiffness=stiffness, port_vectors=np.eye(4)[1:],
+        port=tuple(AssembledPort(name) for name in names),
+    )  # fmt: skip
+    gains, quantum = dict.fromkeys(names, 0.3), dict.fromkeys(names, 1e-7)
+    its = Scenario(
+        plant=plant,
+        controller=dampen.PTypeILC(learning=gains),
+        disturbance=dampen.ConstantLoad(force={names[0]: 0.2}),
+        task=dampen.Task(trials=3, trial_duration=0.1),
+        sampling=dampen.Sampling(delay=0.001, quantum=quantum, switching="boundary-layer"),
+        numerics=dampen.Numerics(mode="sampled", modes=4),
+        title="bell \a and <quotes>",
+    )
+    run = displaced(dampen.simulate(its, compile=False))
+    assert np.abs(run).max() > 1e-5
+    files = [dampen.export_fmu(its, tmp_path / f"{what}.fmu", what).file for what in ("plant", "controller", "loop")]
+    assert [validate_fmu(str(file)) for file in files] == [[], [], []]
+    with running(files[0]) as one, running(files[1]) as other:
+        assert np.abs(together(one, other, its, 0.001) - run).max() < 1e-9 * np.abs(run).max()
+
+
+def test_a_loop_stops_where_the_constraint_is_crossed_and_can_be_told_not_to(tmp_path: Path) -> None:
+    load = "disturbance={kind='constant',force={tip_w=40.0}}"
+    its = read_scenario("string-tip-mass", [*CASES["rope"][1], "task.trial_duration=0.5", "controller.barrier=none", load])
+    result = dampen.simulate(its)
+    run = displaced(result)
+    assert result.status == "constraint_lost"
+    for going, status in ((False, 5), (True, 0)):
+        file = dampen.export_fmu(its, tmp_path / "unit.fmu", "loop", Guards(stop_at_constraint=not going)).file
+        with running(file) as unit:
+            seen = followed(unit, its, len(run), each("displacement", its))
+            assert unit.whole("status") == status
+        assert (np.abs(seen - run).max() < 1e-9) == going
+
+
+def test_initial_values_of_a_plant_depend_on_its_parameters_and_on_no_input(units: Any) -> None:
+    with zipfile.ZipFile(units("reset", "plant")) as packed:
+        root = ElementTree.fromstring(packed.read("modelDescription.xml"))
+    variables = {str(i): v.attrib for i, v in enumerate(root.iter("ScalarVariable"), 1)}
+    known = {
+        variables[unknown.attrib["index"]]["name"]: {variables[i]["name"] for i in unknown.attrib["dependencies"].split()}
+        for unknown in root.iterfind("ModelStructure/InitialUnknowns/Unknown")
+    }
+    assert {"start.q[1]", "quantum.tip_w"} <= known["reading.tip_w"]
+    assert known["trial"] == set()
+    inputs = {v["name"]: float(k) for k, v in enumerate(variables.values(), 1) if v["causality"] == "input"}
+    outputs = [name for name in known if name not in ("trial", "sample")]
+    with running(units("reset", "plant"), begin=False) as unit:
+        unit.slave.setupExperiment(startTime=0.0)
+        unit.slave.enterInitializationMode()
+        before = unit.get(*outputs)
+        unit.put(inputs)
+        assert np.array_equal(unit.get(*outputs), before)
+        unit.put({"start.q[1]": 1.0})
+        assert unit.get("reading.tip_w") != before[outputs.index("reading.tip_w")]
+
+
 def test_parameters_do_what_the_scenarios_do(units: Any) -> None:
     changes = {
         "actuator.tip_w.backlash.right": "actuator.tip_w.chain=[{kind='backlash',slope=0.3,right=0.15,left=-0.2}]",
@@ -314,6 +436,8 @@ def test_bad_calls_are_refused(what: str, units: Any) -> None:
         unit.step(0.0, 0.001)
         with pytest.raises(fmpy.fmi1.FMICallException):
             unit.step(0.0, 0.001)
+        with pytest.raises(fmpy.fmi1.FMICallException):
+            unit.slave.setupExperiment(startTime=5.0)
         with pytest.raises(fmpy.fmi1.FMICallException):
             unit.slave.setReal([10_000], [0.0])
         with pytest.raises(fmpy.fmi1.FMICallException):
@@ -408,11 +532,15 @@ static double any(void) /* numbers of all sizes, and none */
 int main(int count, char **arguments)
 {
     fmi2FMUstate kept = NULL;
-    char bytes[sizeof(struct model)];
+    char bytes[sizeof(struct state)];
     fmi2CallbackFunctions none = {NULL, NULL, NULL, NULL, NULL};
     struct unit *u = fmi2Instantiate("unit", fmi2CoSimulation, arguments[count - 2], arguments[count - 1], &none, 0, 0);
     if (!u) return 2;
     if (fmi2Instantiate("unit", fmi2CoSimulation, "other", arguments[count - 1], &none, 0, 0)) return 3;
+    const char *bad[] = {"", "%", "%2", "file:", "file:%2", "file:///no%", "file://no", "file:///%zz%00"};
+    for (unsigned i = 0; i < sizeof bad / sizeof bad[0]; i++)
+        fmi2FreeInstance(fmi2Instantiate("unit", fmi2CoSimulation, arguments[count - 2], bad[i], &none, 0, 0));
+    fmi2FreeInstance(fmi2Instantiate(NULL, fmi2CoSimulation, arguments[count - 2], NULL, NULL, 0, 0));
     for (int round = 0; round < 3; round++) {
         fmi2SetupExperiment(u, 0, 0, 0, 0, 0);
         fmi2EnterInitializationMode(u);
@@ -468,6 +596,7 @@ def test_only_parameters_that_stand_as_they_are_can_be_changed() -> None:
         (["he2017", "--out", "unit.fmu"], '`numerics.mode` must be "sampled"'),
         (["he2017-sampled", "--out", "no/such/unit.fmu"], "cannot be written: there is no folder no/such."),
         (["he2017-sampled", "--out", "unit.fmu", "--range", "tip_w"], "PORT=LOW:HIGH"),
+        (["he2017-sampled", "--out", "unit.fmu", "--what", "plant", "--range", "tip_w=0:1"], "`--range` is for a controller"),
     ],
 )
 def test_bad_input_is_one_line(
@@ -486,6 +615,55 @@ def test_the_command_writes_a_unit(tmp_path: Path, monkeypatch: pytest.MonkeyPat
     assert command(monkeypatch, ["he2017", "--what", "plant", "--set", "task.trials=1", "--out", str(out)]) == 0
     assert "Communication points at multiples of 0.001 s" in capsys.readouterr().out.replace("\n", " ")
     assert validate_fmu(str(out)) == []
+
+
+def test_the_compiler_is_what_the_environment_says(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
+    found = compiler()
+    assert found is not None
+    monkeypatch.setenv("CC", f"{found[0]} -DA='a b'")
+    assert compiler() == [found[0], "-DA=a b"]
+    blank = tmp_path / "my cc"
+    blank.write_text("#!/bin/sh\nprintf 'warning\\n\\377 error: no\\n' >&2\nexit 1\n")
+    blank.chmod(0o755)
+    out = tmp_path / "unit.fmu"
+    for named, said in (
+        (str(blank), "could not build the unit; it said: \ufffd error: no"),
+        ("nowhere -m64", "`CC` must name a C compiler, but is 'nowhere -m64'"),
+        ("'", "`CC` must name a C compiler"),
+    ):
+        monkeypatch.setenv("CC", named)
+        with pytest.raises(dampen.ArgumentError, match=said):
+            dampen.export_fmu(scenario("paper"), out, "controller")
+    monkeypatch.delenv("CC")
+    monkeypatch.setattr("dampen.export.fmu.building.TemporaryDirectory", lambda: (_ for _ in ()).throw(OSError("no room")))
+    with pytest.raises(dampen.ArgumentError, match=r"cannot be built by .*: no room"):
+        dampen.export_fmu(scenario("paper"), out, "controller")
+    assert list(tmp_path.iterdir()) == [blank]
+
+
+def test_a_file_is_written_whole_or_not_at_all(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
+    out = tmp_path / "unit.fmu"
+    write_whole(out, b"old")
+
+    def full(path: Path, data: bytes) -> int:
+        with path.open("wb") as file:
+            file.write(data[:2])
+        raise OSError(28, os.strerror(28))
+
+    monkeypatch.setattr(Path, "write_bytes", full)
+    with pytest.raises(dampen.ArgumentError, match="cannot be written: No space left"):
+        write_whole(out, b"newer")
+    assert [file.read_bytes() for file in tmp_path.iterdir()] == [b"old"]
+
+
+def test_tables_beyond_the_limit_are_refused(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
+    its = scenario("paper")
+    numbers = sum(table.size for table in plants.Plant(its, Bench(its)).tables.values())
+    assert numbers > its.steps * len(its.ports) * its.task.trials  # what is spread along the structure counts too
+    monkeypatch.setattr(plants, "LARGEST", 8 * numbers - 8)
+    with pytest.raises(dampen.ArgumentError, match="`task` must be shorter"):
+        dampen.export_fmu(its, tmp_path / "unit.fmu", "plant")
+    assert list(tmp_path.iterdir()) == []
 
 
 def command(monkeypatch: pytest.MonkeyPatch, arguments: list[str]) -> int:

@@ -162,6 +162,8 @@ def fmu(
         raise ArgumentError(f"Option `--what` must be plant, controller or loop, but is {what!r}.")
     if file.suffix != ".fmu":
         raise ArgumentError(f"Output file `{file}` must end in .fmu.")
+    if what == "plant" and believed:
+        raise ArgumentError("Option `--range` is for a controller, but with `--what plant` there is none.")
     guards = Guards(ranges(believed or []), patience, not keep_going)
     case = read_scenario(scenario, set_ or ())
     with working("Writing down what trials bring, and compiling"):

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 import platform
+import shlex
 import shutil
 import subprocess
 import sys
@@ -26,11 +27,19 @@ def library_ending() -> str:
     return {"darwin": ".dylib", "win32": ".dll"}.get(sys.platform, ".so")
 
 
-def compiler() -> str | None:
-    """A C compiler: what the environment variable CC says, or the first that is found."""
-    named = os.environ.get("CC")
-    candidates = [named] if named else ["cc", "gcc", "clang"]
-    return next((found for name in candidates if (found := shutil.which(name))), None)
+def compiler() -> list[str] | None:
+    """A C compiler, with arguments of its own: what the environment variable CC says, or the first that is found."""
+    named = os.environ.get("CC", "").strip()
+    if not named:
+        return next(([found] for name in ("cc", "gcc", "clang") if (found := shutil.which(name))), None)
+    try:
+        words = [named] if shutil.which(named) else shlex.split(named)
+    except ValueError:  # quotes without an end
+        words = [named]
+    found = shutil.which(words[0])
+    if found is None:
+        raise ArgumentError(f"Environment variable `CC` must name a C compiler, but is {named!r}, which is not found.")
+    return [found, *words[1:]]
 
 
 def library(sources: dict[str, str], identifier: str) -> bytes | None:
@@ -38,16 +47,22 @@ def library(sources: dict[str, str], identifier: str) -> bytes | None:
     cc = compiler()
     if cc is None:
         return None
-    with TemporaryDirectory() as folder:
-        for name, text in sources.items():
-            (Path(folder) / name).write_text(text, encoding="utf-8")
-        out = Path(folder) / f"{identifier}{library_ending()}"
-        files = [name for name in sources if name.endswith(".c")]
-        math = [] if platform.system() == "Windows" else ["-lm"]
-        done = subprocess.run(
-            [cc, *FLAGS, *files, "-o", str(out), *math], cwd=folder, capture_output=True, text=True, check=False
-        )
-        if done.returncode != 0:
-            said = (done.stderr.strip().splitlines() or ["nothing"])[0]
-            raise ArgumentError(f"The C compiler `{cc}` could not build the unit; it said: {said}")
-        return out.read_bytes()
+    try:
+        with TemporaryDirectory() as folder:
+            return built(cc, sources, Path(folder), f"{identifier}{library_ending()}")
+    except OSError as error:
+        raise ArgumentError(f"The unit cannot be built by `{shlex.join(cc)}`: {error}.") from None
+
+
+def built(cc: list[str], sources: dict[str, str], folder: Path, name: str) -> bytes:
+    """The library of that name, built in a folder."""
+    for file, text in sources.items():
+        (folder / file).write_text(text, encoding="utf-8")
+    files = [file for file in sources if file.endswith(".c")]
+    math = [] if platform.system() == "Windows" else ["-lm"]
+    done = subprocess.run([*cc, *FLAGS, *files, "-o", name, *math], cwd=folder, capture_output=True, check=False)
+    if done.returncode != 0:
+        said = done.stderr.decode(errors="replace").strip().splitlines() or ["nothing"]
+        worst = next((line for line in said if "error" in line.lower()), said[0])
+        raise ArgumentError(f"The C compiler `{shlex.join(cc)}` could not build the unit; it said: {worst}")
+    return (folder / name).read_bytes()

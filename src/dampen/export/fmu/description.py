@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Sequence
 from xml.etree import ElementTree
 
@@ -28,6 +29,7 @@ BASE_UNITS = {
     "rad/(N.m.s)": {"kg": -1, "m": -2, "s": 1, "rad": 1},
     "N/s": {"kg": 1, "m": 1, "s": -3},
 }
+NOT_XML = re.compile("[^\t\n\r\x20-\ud7ff\ue000-\ufffd\U00010000-\U0010ffff]")  # what no XML may have, even escaped
 CAUSALITY = {INPUT: "input", OUTPUT: "output", FIXED: "parameter", TUNABLE: "parameter"}
 VARIABILITY = {FIXED: "fixed", TUNABLE: "tunable"}
 
@@ -68,6 +70,8 @@ def model_description(
     ElementTree.SubElement(root, "DefaultExperiment", startTime="0", stopTime=repr(stop), stepSize=repr(step))
     add_variables(root, variables)
     add_structure(root, variables)
+    for element in root.iter():
+        element.attrib.update({name: NOT_XML.sub("\N{REPLACEMENT CHARACTER}", text) for name, text in element.attrib.items()})
     ElementTree.indent(root)
     return ElementTree.tostring(root, encoding="UTF-8", xml_declaration=True)
 
@@ -107,10 +111,13 @@ def add_variables(root: ElementTree.Element, variables: Sequence[Variable]) -> N
 
 
 def add_structure(root: ElementTree.Element, variables: Sequence[Variable]) -> None:
-    """What depends on what: an output is held over a communication step, and depends on no input at its end."""
+    """What depends on what: inputs are held over a communication step, and outputs depend on none at its end, nor at the
+    start; there what is seen of a plant depends on how its parameters are set."""
     structure = ElementTree.SubElement(root, "ModelStructure")
+    given = [str(index) for index, v in enumerate(variables, 1) if v.role in (FIXED, TUNABLE) and v.at.startswith("plant.")]
     for name in ("Outputs", "InitialUnknowns"):
         listed = ElementTree.SubElement(structure, name)
         for index, v in enumerate(variables, 1):
             if v.role == OUTPUT:
-                ElementTree.SubElement(listed, "Unknown", index=str(index), dependencies="")
+                known = given if name == "InitialUnknowns" and v.at.startswith("plant.") else []
+                ElementTree.SubElement(listed, "Unknown", index=str(index), dependencies=" ".join(known))

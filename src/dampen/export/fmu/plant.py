@@ -101,8 +101,15 @@ class Plant:
     def shaking(self) -> tuple[tuple[Array, Array, Array], ...]:
         """For each row: forces at the ports (steps, ports), and the modal load as a product, (steps, rank) by (rank, modes)."""
         firsts = [self.row_of_trial.index(row) for row in range(max(self.row_of_trial) + 1)]
-        self._check_size(len(firsts))
-        return tuple(self._shaking(trial) for trial in firsts)
+        scenario, found, numbers = self.scenario, [], 0
+        trials, ports, modes = scenario.task.trials, len(scenario.ports), self.bench.modes.count
+        kept = trials * ((self.samples + 1) * ports * self.noisy + modes * bool(scenario.task.reset_error))
+        self._check_size(kept + len(firsts) * scenario.steps * ports)
+        for trial in firsts:
+            found.append(self._shaking(trial))
+            numbers += sum(part.size for part in found[-1])
+            self._check_size(kept + numbers)
+        return tuple(found)
 
     def _shaking(self, trial: int) -> tuple[Array, Array, Array]:
         at_ports, in_time, in_modes = self.bench.factors(trial)
@@ -136,13 +143,11 @@ class Plant:
         drawn = np.random.default_rng([self.scenario.sampling.seed, trial])
         return self.spread * drawn.standard_normal((self.samples + 1, len(self.scenario.ports)))
 
-    def _check_size(self, rows: int) -> None:
-        task, ports = self.scenario.task, len(self.scenario.ports)
-        least = 8 * ports * (rows * self.scenario.steps + (task.trials * (self.samples + 1) if self.noisy else 0))
-        if least > LARGEST:
+    def _check_size(self, numbers: int) -> None:
+        if 8 * numbers > LARGEST:
             raise ArgumentError(
-                f"Argument `task` must be shorter for an export of its plant: what shakes {task.trials} trials of "
-                f"{self.scenario.steps} steps would be more than {least / 2**30:.2g} GiB of tables."
+                f"Argument `task` must be shorter for an export of its plant: what shakes {self.scenario.task.trials} trials of "
+                f"{self.scenario.steps} steps would be more than {LARGEST / 2**30:.2g} GiB of tables."
             )
 
     @property

@@ -8,6 +8,7 @@ from typing import Any
 
 import numpy as np
 
+from dampen.export.c.blueprint import compensation
 from dampen.export.c.numbers import literal, rows
 from dampen.export.c.source import ARRAYS, HELPERS, Source, template
 from dampen.export.c.translate import Translator
@@ -39,19 +40,30 @@ def timing(plant: Plant, what: str) -> tuple[float, str]:
     scenario = plant.scenario
     dt = scenario.numerics.step
     delay = delay_steps(plant)
-    step = gcd(plant.period, delay) * dt
+    moving = moves_in_time(plant)
+    step = dt if moving else gcd(plant.period, delay) * dt
     if what != "controller":
         return step, (
             f"Communication points at multiples of {dt:g} s; inputs are held in between; a trial takes {scenario.steps * dt:g} s."
         )
     held = (
         f"A command is put out {delay * dt:g} s after its reading, the controller's own delay: the communication step that "
-        "co-simulation takes until the plant sees it is a part of that, and adds nothing as long as it is not longer."
+        "co-simulation takes until the plant sees it is a part of that, and adds nothing as long as delay and sample period are "
+        "multiples of it."
         if delay
         else "The design has no delay, but the plant sees a command one communication step late, unless the master lets the "
         "controller step first and hands on what it puts out in the same step."
     )
+    if moving:
+        held += f" Between samples what drives the actuators moves on, every {dt:g} s: the plant is to see it at each."
     return step, f"A sample every {plant.period * dt:g} s, which a communication step must not reach over. {held}"
+
+
+def moves_in_time(plant: Plant) -> bool:
+    """Whether a compensation moves on while its command is held: then what its function reads depends on the time step."""
+    scenario, dt = plant.scenario, plant.scenario.numerics.step
+    stages = [stage for p in range(len(scenario.ports)) for stage in compensation(scenario, p)]
+    return any(tuple(stage.row(dt)) != tuple(stage.row(2 * dt)) for stage in stages)
 
 
 def delay_steps(plant: Plant) -> int:

@@ -6,6 +6,7 @@ import re
 import uuid
 import zipfile
 from collections.abc import Mapping, Sequence
+from contextlib import suppress
 from dataclasses import dataclass
 from io import BytesIO
 from pathlib import Path
@@ -60,11 +61,20 @@ def export_fmu(scenario: Scenario, file: Path, what: What = "loop", guards: Guar
     identifier = re.sub(r"\W", "_", f"{scenario.name}_{what}", flags=re.ASCII)
     identifier = identifier if identifier[0].isalpha() else f"dampen_{identifier}"
     content, built, step, told = unit_files(plant, source, what, identifier, variables, build)
-    try:
-        file.write_bytes(archive(content))
-    except OSError as error:
-        raise ArgumentError(f"Output file `{file}` cannot be written: {error.strerror or error}.") from None
+    write_whole(file, archive(content))
     return Unit(file, variables, built, step, told)
+
+
+def write_whole(file: Path, data: bytes) -> None:
+    """All of a file or nothing: what was there before stays until the new one is complete."""
+    part = file.with_name(f".{file.name}.part")
+    try:
+        part.write_bytes(data)
+        part.replace(file)
+    except OSError as error:
+        with suppress(OSError):
+            part.unlink(missing_ok=True)
+        raise ArgumentError(f"Output file `{file}` cannot be written: {error.strerror or error}.") from None
 
 
 def unit_files(
