@@ -136,3 +136,14 @@ def test_a_sampled_scenario_runs_continuously_and_uncontrolled_on_the_same_bench
     continuous = dampen.simulate(case.continuous(), bench=bench)
     np.testing.assert_allclose(continuous["y"], dampen.simulate(scenario("task.trials=2"))["y"], atol=1e-12)
     assert bench.kernel(case)[0] is bench.kernel(case.uncontrolled())[0]
+
+
+@pytest.mark.parametrize("switching", ["explicit", "boundary-layer", "implicit"])
+def test_each_switching_compiled_is_its_plain_source(switching: str) -> None:
+    case = dampen.read_scenario(
+        "he2017-sampled",
+        [f"sampling.switching={switching}", "task.trials=2", "task.trial_duration=0.1", "numerics.modes=6"],
+    )
+    compiled, plain = dampen.simulate(case), dampen.simulate(case, compile=False)
+    np.testing.assert_allclose(compiled["issued"], plain["issued"], rtol=0, atol=1e-9)
+    assert np.abs(compiled["issued"]).max() > 0.1
