@@ -40,7 +40,6 @@ myst_enable_extensions = ["amsmath", "colon_fence", "deflist", "dollarmath", "fi
 myst_heading_anchors = 4
 nb_execution_mode = "inline"  # a page's blocks run from top to bottom, Python and shell alike
 nb_execution_timeout = 120
-nb_execution_raise_on_error = True
 nb_execution_show_tb = True
 nb_merge_streams = True
 nb_output_stderr = "remove-warn"
@@ -48,6 +47,10 @@ nb_number_source_lines = False
 nb_render_markdown_format = "myst"
 
 mathjax = find_spec("sphinx-mathjax-offline").submodule_search_locations[0] + "/static"
+
+python_maximum_signature_line_length = 100
+add_module_names = True
+toc_object_entries_show_parents = "hide"
 
 html_theme = "furo"
 html_title = "dampen"
