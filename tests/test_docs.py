@@ -1,0 +1,43 @@
+"""Nothing on the pages of the documentation is shown that is not run or read when they are built."""
+
+from __future__ import annotations
+
+import re
+from pathlib import Path
+
+import pytest
+
+DOCS = Path(__file__).parents[1] / "docs"
+MADE = ("gallery/examples", "reference/generated")
+PAGES = sorted(page for page in DOCS.rglob("*.md") if not page.relative_to(DOCS).as_posix().startswith(MADE))
+FENCE = re.compile(r"^ *(?P<fence>`{3,}|~{3,}) *(?P<what>[^\s`]*)", re.MULTILINE)
+NOT_RUN = 8  # blocks, on all pages
+
+
+def openings(text: str) -> list[str]:
+    """What each fenced block says it is."""
+    found, inside = [], ""
+    for match in FENCE.finditer(text):
+        if not inside:
+            found.append(match["what"])
+            inside = match["fence"]
+        elif match["fence"] == inside and not match["what"]:
+            inside = ""
+    assert not inside, "a block is never closed"
+    return found
+
+
+@pytest.mark.parametrize("page", PAGES, ids=lambda page: page.relative_to(DOCS).as_posix())
+def test_every_block_of_a_page_is_run_or_read_or_plain_text(page: Path) -> None:
+    for what in openings(page.read_text(encoding="utf-8")):
+        assert re.fullmatch(r"\{[\w:-]+\}|text", what), f"a block of {what or 'no language'}: use code-cell, shell, file or text"
+
+
+def test_few_blocks_are_not_run_and_each_says_why() -> None:
+    reasons = [why for page in PAGES for why in re.findall(r"^:not-run:(.*)$", page.read_text(encoding="utf-8"), re.MULTILINE)]
+    assert all(len(why.split()) >= 3 for why in reasons), reasons
+    assert len(reasons) <= NOT_RUN, reasons
+
+
+def test_a_block_in_plain_markdown_would_be_found() -> None:
+    assert openings("```sh\nls\n```\ntext\n````{shell}\n```\n````\n") == ["sh", "{shell}"]
