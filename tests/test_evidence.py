@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import sys
+from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
@@ -16,13 +17,12 @@ NAMES = (
 
 
 @pytest.fixture(scope="module")
-def pieces(request: pytest.FixtureRequest) -> Any:
-    patch = pytest.MonkeyPatch()
-    request.addfinalizer(patch.undo)
-    patch.setattr(sys, "path", [str(VALIDATION), *sys.path])
-    from evidence import PIECES  # type: ignore[import-not-found, unused-ignore]
+def pieces() -> Iterator[Any]:
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(sys, "path", [str(VALIDATION), *sys.path])
+        from evidence import PIECES
 
-    return PIECES
+        yield PIECES
 
 
 def test_no_piece_is_left_out_here_or_on_the_page(pieces: Any) -> None:
