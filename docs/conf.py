@@ -11,7 +11,6 @@ sys.path[:0] = [str(DOCS / "_extensions"), str(DOCS / "validation")]
 
 from logo import write_logos
 from pages import COMMON, palette
-from pictures import reset_style
 
 import dampen
 
@@ -33,7 +32,6 @@ extensions = [
 ]
 exclude_patterns = ["_extensions", "_generated", "images", "gallery/examples/*.ipynb", "gallery/examples/*.py"]
 nitpicky = False  # annotations name classes of other packages
-suppress_warnings = ["config.cache"]  # functions among the gallery's options
 
 # Markdown: $ and $$ for formulas, ::: for admonitions, links to any heading of two levels.
 myst_enable_extensions = ["amsmath", "colon_fence", "deflist", "dollarmath", "fieldlist"]
@@ -84,7 +82,8 @@ sphinx_gallery_conf = {
     "show_memory": False,
     "show_signature": False,
     "write_computation_times": False,
-    "reset_modules": (reset_style,),
+    "reset_modules": ("pictures.reset_style",),
+    "within_subsection_order": "pictures.Order",
     "reset_modules_order": "before",
     "image_scrapers": ("matplotlib",),
     "remove_config_comments": True,

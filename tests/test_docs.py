@@ -3,9 +3,16 @@
 from __future__ import annotations
 
 import re
+import sys
+from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
+import typer
+
+import dampen
+from dampen.cli import app
+from dampen.scenarios.schema import schema
 
 DOCS = Path(__file__).parents[1] / "docs"
 MADE = ("gallery/examples", "reference/generated")
@@ -41,3 +48,34 @@ def test_few_blocks_are_not_run_and_each_says_why() -> None:
 
 def test_a_block_in_plain_markdown_would_be_found() -> None:
     assert openings("```sh\nls\n```\ntext\n````{shell}\n```\n````\n") == ["sh", "{shell}"]
+
+
+@pytest.fixture(scope="module")
+def reference() -> Iterator[dict[str, str]]:
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(sys, "path", [str(DOCS / "_extensions"), *sys.path])
+        from reference import pages
+
+        yield dict(pages())
+
+
+def test_the_reference_has_every_public_name(reference: dict[str, str]) -> None:
+    shown = re.findall(r"^:+\{py:\w+\} dampen\.(\w+)", "\n".join(reference.values()), re.MULTILINE)
+    assert set(dampen.__all__) <= set(shown)
+    assert len(shown) == len(set(shown)) + 1, "two environments are both in `gym`"
+
+
+def test_the_reference_has_every_command_with_its_options(reference: dict[str, str]) -> None:
+    root = typer.main.get_command(app)
+    for name, command in {**root.commands, **root.commands["export"].commands}.items():  # type: ignore[attr-defined]
+        section = re.search(rf"^#+ dampen (export )?{name}$(.*?)(?=^#+ |\Z)", reference["commands"], re.MULTILINE | re.DOTALL)
+        assert section, name
+        assert all(f"`{option}`" in section[2] for one in command.params for option in one.opts if option.startswith("--"))
+
+
+def test_the_reference_has_every_kind_and_key_of_scenarios(reference: dict[str, str]) -> None:
+    for family, kinds in schema()["kinds"].items():
+        for kind in kinds:
+            section = reference[f"scenario-{family}"].partition(f"## {kind['kind']}\n")[2].partition("\n## ")[0]
+            assert section, kind["kind"]
+            assert all(re.search(rf"`{p['name']}[`.]", section) for p in kind["parameters"]), kind["kind"]

@@ -9,7 +9,7 @@ from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
-from words import about, docstring, table
+from words import about, docstring, table, unit
 
 import dampen
 from dampen.component import Component, Parameter, parameters
@@ -87,7 +87,7 @@ def component(cls: type[Component]) -> Iterator[str]:
     family = next((family for family, classes in KINDS.items() if cls in classes), None)
     if family:
         yield f'In a scenario: [{family}, kind `"{cls.kind}"`](scenario-{family}.md#{cls.kind})'
-    rows = [(f"`{p.name}`", p.type, p.unit, p.range, default(p), about(p.doc)) for p in parameters(cls)]
+    rows = [(f"`{p.name}`", p.type, unit(p.unit), p.range, default(p), about(p.doc)) for p in parameters(cls)]
     if rows:
         yield table(("parameter", "type", "unit", "range", "default", "meaning"), rows)
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Any
+from typing import Any, ClassVar
 
 SCREEN_DPI = 200
 
@@ -33,3 +33,19 @@ def reset_style(gallery_conf: dict[str, Any], name: str) -> None:
     matplotlib.rcdefaults()
     matplotlib.use("agg")
     matplotlib.rcParams.update(style())
+
+
+class Order:
+    """The gallery's order: what it is about first, then what makes it up, what checks it, what goes beyond."""
+
+    SCRIPTS: ClassVar = """
+        paper_run heat_map learning_curves arm backlash_loop hysteresis barrier switching moving_load base_shaking
+        timoshenko_euler bode decay_rates limit_curve gain_landscape payloads uncertain_learning
+        own_learning_law own_disturbance gym_policy
+    """
+
+    def __init__(self, folder: str):
+        self.folder = folder
+
+    def __call__(self, file: str) -> int:
+        return self.SCRIPTS.split().index(file.removesuffix(".py"))

@@ -6,7 +6,7 @@ from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
-from words import about, code, table
+from words import about, code, table, unit
 
 from dampen.scenarios.schema import schema
 
@@ -61,7 +61,7 @@ def _rows(parameters: list[dict[str, Any]], prefix: str = "") -> Iterator[tuple[
         if kind["is"] != "component":
             given = "required" if p["required"] else code(p["default"]) if p.get("default") not in (None, {}, [], "") else ""
             limits = " and ".join(f"{SIGNS[sign]} {value:g}" for sign, value in p["range"].items())
-            yield f"`{name}`", type_words(kind), p["unit"], limits, given, about(p["doc"])
+            yield f"`{name}`", type_words(kind), unit(p["unit"]), limits, given, about(p["doc"])
         if inner:
             yield from _rows(inner, name + {"component": ".", "list": "[].", "table": ".PORT."}.get(kind["is"], "."))
 
@@ -93,7 +93,7 @@ def type_words(kind: dict[str, Any]) -> str:
         case "file":
             return "path of a file"
         case "function":
-            return "function, as `module:name`"
+            return "function"
         case "boolean":
             return "true or false"
         case other:

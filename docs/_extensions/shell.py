@@ -19,6 +19,7 @@ import os
 import re
 import shutil
 import subprocess
+import time
 from typing import Any, ClassVar
 
 from docutils import nodes
@@ -74,6 +75,7 @@ class Shell(SphinxDirective):
 
     def _output(self, commands: str) -> str:
         plain = {"COLUMNS": "110", "NO_COLOR": "1", "TERM": "dumb", "LC_ALL": "C.UTF-8", "PAGER": "cat"}
+        began = time.perf_counter()
         done = subprocess.run(
             ["bash", "-euo", "pipefail", "-c", commands],
             cwd=scratch(),
@@ -85,6 +87,7 @@ class Shell(SphinxDirective):
             timeout=LIMIT,
             check=False,
         )
+        LOG.info("%.1f s: %s", time.perf_counter() - began, commands.replace("\n", "; "))
         output, status = clean(done.stdout), self.options.get("status", 0)
         if done.returncode != status:
             what = f"ended with status {done.returncode}, not {status}:\n{commands}\n{output}"

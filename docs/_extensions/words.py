@@ -64,6 +64,11 @@ def about(text: str) -> str:
     return safe(typeset(text))
 
 
+def unit(text: str) -> str:
+    """A unit, kept on one line."""
+    return safe(typeset(text)).replace(" ", "\N{NO-BREAK SPACE}")
+
+
 def code(value: Any) -> str:
     """A default as a scenario file or Python would have it."""
     text = value if isinstance(value, str) and value.startswith("[") else json.dumps(value, ensure_ascii=False, default=str)
