@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+import subprocess
 import sys
 from collections.abc import Iterator
 from pathlib import Path
@@ -79,3 +80,62 @@ def test_the_reference_has_every_kind_and_key_of_scenarios(reference: dict[str, 
             section = reference[f"scenario-{family}"].partition(f"## {kind['kind']}\n")[2].partition("\n## ")[0]
             assert section, kind["kind"]
             assert all(re.search(rf"`{p['name']}[`.]", section) for p in kind["parameters"]), kind["kind"]
+
+
+CONF = f"""
+import sys
+sys.path.insert(0, {str(DOCS / "_extensions")!r})
+extensions = ["myst_parser", "pages", "shell", "file"]
+"""
+GOOD = """# A page
+
+```{file} mine.toml
+:over: he2017
+[task]
+trials = 2
+```
+
+```{shell}
+dampen show mine.toml > copy.txt
+```
+
+```{shell}
+:show: 1
+:status: 2
+cat copy.txt; pwd; exit 2
+```
+"""
+BAD = """# A page
+
+```{file} mine.toml
+:over: he2017
+[task]
+trails = 2
+```
+
+```{shell}
+exit 3
+```
+
+```{shell}
+test ! -e copy.txt
+```
+"""
+
+
+def test_blocks_find_what_earlier_ones_left_and_faults_are_warnings(tmp_path: Path) -> None:
+    pytest.importorskip("sphinx")
+    pytest.importorskip("myst_parser")
+    (tmp_path / "conf.py").write_text(CONF)
+    (tmp_path / "index.md").write_text(GOOD + "\n```{toctree}\nnext\n```\n")
+    (tmp_path / "next.md").write_text(BAD)
+    command = [sys.executable, "-m", "sphinx", "-q", "-b", "html", str(tmp_path), str(tmp_path / "out")]
+    done = subprocess.run(command, capture_output=True, text=True, check=True)
+    warnings = [line for line in done.stderr.splitlines() if "WARNING" in line]
+    assert [line.partition("WARNING: ")[2].split(":")[0] for line in warnings] == [
+        "file mine.toml",
+        "block ended with status 3, not 0",
+    ], done.stderr
+    assert "task.trails" in warnings[0]
+    assert "based_on" in (tmp_path / "out" / "index.html").read_text()
+    assert str(tmp_path.parent) not in (tmp_path / "out" / "index.html").read_text()
