@@ -1,4 +1,4 @@
-"""What depends on the time step, for every shipped scenario; writes docs/refinement.md.
+"""What depends on the time step, for every shipped scenario; writes docs/validation/refinement.md.
 
 python benchmarks/refinement.py            all scenarios, some minutes
 python benchmarks/refinement.py NAME ...   some of them, printed only
@@ -50,7 +50,7 @@ def main() -> None:
     for name in shipped():
         print(name, file=sys.stderr)
         pages.append(table(name))
-    (Path(__file__).parents[1] / "docs" / "refinement.md").write_text("\n".join(pages) + "\n", encoding="utf-8")
+    (Path(__file__).parents[1] / "docs" / "validation" / "refinement.md").write_text("\n".join(pages) + "\n", encoding="utf-8")
 
 
 if __name__ == "__main__":

@@ -37,7 +37,7 @@ needs_c = pytest.mark.skipif(not COMPILERS, reason="no C compiler here")
 SHORT = ("task.trials=3", "task.trial_duration=0.2", "sampling.command_limit={tip_w=2.0,tip_phi=4.0}")
 SAMPLES = 200
 FAULTY = Path(__file__).parent / "sil_program.py"
-DOCS = Path(__file__).parents[1] / "docs" / "sil.md"
+DOCS = Path(__file__).parents[1] / "docs" / "how-to" / "sil.md"
 
 
 @cache
@@ -411,7 +411,7 @@ def test_the_readings_are_those_that_the_controller_reads_in_the_sampled_run(bui
 
 
 def test_the_controller_in_the_documentation_works_as_it_says(tmp_path: Path) -> None:
-    [text] = re.findall(r"```python\n(.*?)```", DOCS.read_text(), re.DOTALL)
+    [text] = re.findall(r"```\{file\} pd\.py\n(.*?)```", DOCS.read_text(), re.DOTALL)
     assert len(text.splitlines()) <= 27
     (tmp_path / "pd.py").write_text(text)
     scenario = case("task.trials=1")

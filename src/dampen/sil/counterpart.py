@@ -39,7 +39,7 @@ class Counterpart:
         try:
             answer = self._ask("the hello", HELLO, NO_TRIAL, self.samples, self.period)
         except Lost as error:
-            raise ArgumentError(f"Argument `controller` must answer as docs/sil.md says: {error}") from None
+            raise ArgumentError(f"Argument `controller` must answer as docs/how-to/sil.md says: {error}") from None
         ports = len(self.scenario.ports)
         same = answer.ports == ports and answer.sample == self.samples and math.isclose(answer.seconds, self.period, rel_tol=1e-6)
         if not same:

@@ -58,7 +58,7 @@ def software_in_the_loop(
     progress: Progress | None = None,
     bench: Bench | None = None,
 ) -> InTheLoop:
-    """Run a sampled scenario with a program in its law's place, in lock step; packets as in docs/sil.md.
+    """Run a sampled scenario with a program in its law's place, in lock step; packets as in docs/how-to/sil.md.
 
     controller: the program to start, as a command line or its words.   udp: over loopback UDP instead of a pipe: the program is
     given `--udp PORT` and listens there.   port: where a program of this machine listens already; nothing is started.
