@@ -30,7 +30,7 @@ GROUPS = {  # page: title, what it is, rooms of the package
     "controllers": ("Controllers", "Who decides, and what it learns between trials.", ("controllers",)),
     "checks": ("Checks", "What to believe of a run.", ("analysis",)),
     "studies": ("Studies", "Many runs.", ("studies",)),
-    "exports": ("Exports", "What leaves for other tools.", ("export",)),
+    "exports": ("Exports", "What leaves for other tools, and programs in the loop.", ("export", "sil")),
     "gym": ("Gymnasium", "Scenarios as environments; `import dampen.gym`.", ("gym",)),
 }
 
