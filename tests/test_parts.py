@@ -224,4 +224,4 @@ def test_at_rest_nothing_divides_by_zero() -> None:
 
 def test_the_verdict_names_what_fails() -> None:
     rows = [Claim("A", "", "", "", True), Claim("B", "", "", "", False), Claim("C", "", "", "", None)]
-    assert verdict_sentence(rows) == "1 of 3 claims hold in this run; B does not; the run is too short to judge C."
+    assert verdict_sentence(rows) == "1 of 3 claims hold in this run; B does not; C cannot be judged in it."

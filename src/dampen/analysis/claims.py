@@ -8,7 +8,7 @@ from dataclasses import dataclass
 
 @dataclass(frozen=True)
 class Claim:
-    """One row of a claims table. `holds` is what the numbers say; None where the run is too short to say."""
+    """One row of a claims table. `holds` is what the numbers say; None where they say nothing, of a short run or another law."""
 
     id: str
     statement: str
@@ -31,5 +31,5 @@ def verdict_sentence(claims: Sequence[Claim]) -> str:
     if failed:
         sentence += f"; {', '.join(failed)} {'does' if len(failed) == 1 else 'do'} not"
     if unknown:
-        sentence += f"; the run is too short to judge {', '.join(unknown)}"
+        sentence += f"; {', '.join(unknown)} cannot be judged in it"
     return sentence + "."

@@ -162,13 +162,17 @@ def _start(definition: Definition, folder: Path | None, workers: int | None, sch
 
 
 def _go_on(study: Study, workers: int | None, scheduler: str | None, report: bool) -> None:
+    from dampen.studies.best import write_best
     from dampen.studies.engines import Cluster, Cores
 
     with study_bar(study) as progress:
         study.run(Cluster(scheduler) if scheduler else Cores(workers) if workers else None, progress)
+    written = write_best(study)
     if report:
         _report(study)
-    else:
+    for path in written:
+        out.print(f"Best: {path}", markup=False)
+    if not report:
         out.print(f"Study: {study.folder}", markup=False)
     if not study.complete:
         err.print(f"{study.done} of {study.members} rows are done: `dampen resume {study.folder}` goes on.", markup=False)
@@ -177,18 +181,15 @@ def _go_on(study: Study, workers: int | None, scheduler: str | None, report: boo
 
 def _report(study: Study) -> None:
     from dampen.report.study.page import summary_rows, verdict_of, write_study_report
-    from dampen.studies.best import nominal_merits, write_best
+    from dampen.studies.best import nominal_merits
 
     assert study.folder is not None, "a study of the command line has a folder"
-    written = write_best(study)
     with working("Drawing figures"):
         nominal = nominal_merits(study) if study.definition.kind == "robust" else None
         page = write_study_report(study.folder, study, nominal)
     headings, rows = summary_rows(study)
     show_table(headings, rows, headings[1:])
     out.print(verdict_of(study), markup=False)
-    for path in written:
-        out.print(f"Best: {path}", markup=False)
     out.print(f"Report: {page}", markup=False)
 
 
