@@ -33,6 +33,8 @@ extensions = [
 exclude_patterns = ["_extensions", "_generated", "images", "gallery/examples/*.ipynb", "gallery/examples/*.py"]
 nitpicky = False  # annotations name classes of other packages
 
+smartquotes = False  # quotes on these pages are often code's
+
 # Markdown: $ and $$ for formulas, ::: for admonitions, links to any heading of two levels.
 myst_enable_extensions = ["amsmath", "colon_fence", "deflist", "dollarmath", "fieldlist"]
 myst_heading_anchors = 4

@@ -120,7 +120,8 @@ def described(directive: str, head: str, body: str, inner: bool = False) -> str:
 def signature(thing: Any, method: bool = False) -> str:
     """The arguments as one would write them; defaults that are no plain values are left as dots."""
     try:
-        arguments = list(inspect.signature(thing).parameters.values())[1 if method else 0 :]
+        found = inspect.signature(thing)
+        arguments = list(found.parameters.values())[1 if method else 0 :]
     except (TypeError, ValueError):
         return "()"
     typed = not (inspect.isclass(thing) and issubclass(thing, Component))
@@ -135,4 +136,6 @@ def signature(thing: Any, method: bool = False) -> str:
         plain = isinstance(a.default, str | int | float | bool | tuple | None)
         value = "" if a.default is a.empty else f" = {a.default!r}" if plain else " = ..."
         words.append(f"{mark}{a.name}{hint}{value}")
-    return f"({', '.join(words)})"
+    returned = found.return_annotation
+    back = f" -> {returned}" if isinstance(returned, str) and not inspect.isclass(thing) else ""
+    return f"({', '.join(words)}){back}"
