@@ -54,6 +54,8 @@ class Recording:
 def content_of(path: str) -> bytes:
     """The bytes of a record; raises ArgumentError for `file`."""
     try:
+        if Path(path).exists() and not Path(path).is_file():  # a device or a pipe may have no end
+            raise ArgumentError(f"Argument `file` must name a file, but `{path}` is none.")
         return Path(path).read_bytes()
     except OSError as error:
         raise _unreadable(path, error) from None

@@ -103,6 +103,8 @@ def content_hash(plant: Any, expected: str) -> str:
     total = hashlib.sha256()
     for name, path in paths:
         try:
+            if Path(path).exists() and not Path(path).is_file():  # a device or a pipe may have no end
+                raise ArgumentError(f"Argument `{name}` names `{path}`, which is no .npz, .npy or .mtx file: it is no file at all.")
             total.update(Path(path).read_bytes())
         except OSError as error:
             raise ArgumentError(f"Argument `{name}` names `{path}`, which cannot be read: {error.strerror}.") from None

@@ -24,6 +24,7 @@ from dampen.toml import CHAINS
 Table = dict[str, Any]
 TABLES: dict[str, type[Component]] = {"task": Task, "sampling": Sampling, "numerics": Numerics, "output": Output}
 TOP = ("name", "title", "claims", "plant", "disturbance", "actuator", "compensation", "controller", "bounds", *TABLES)
+LARGEST = 64 * 2**20  # bytes of a scenario file
 BARE_WORD = re.compile(r"[A-Za-z][\w:.-]*")
 
 
@@ -79,9 +80,13 @@ def source_text(source: str | Path) -> str:
     try:
         if not path.exists() and path.suffix != ".toml" and len(path.parts) == 1:
             raise ArgumentError(f"Scenario `{source}` is neither a shipped scenario nor a file{suggestion(str(source), known)}")
-        return path.read_text(encoding="utf-8")
+        with path.open("rb") as file:
+            content = file.read(LARGEST + 1)  # a device may have no end
+        if len(content) > LARGEST:
+            raise ArgumentError(f"Scenario file `{source}` must be at most {LARGEST // 2**20} MiB: name files for large matrices.")
+        return content.decode("utf-8")
     except (OSError, UnicodeDecodeError) as error:
-        reason = error.strerror if isinstance(error, OSError) else "not UTF-8 text"
+        reason = error.strerror or error if isinstance(error, OSError) else "not UTF-8 text"
         raise ArgumentError(f"Scenario file `{source}` cannot be read: {reason}.") from None
 
 
@@ -100,7 +105,7 @@ def override(table: Table, settings: Sequence[str]) -> Table:
         path, equals, text = setting.partition("=")
         keys = [key.strip() for key in path.split(".")]
         if not equals or not all(keys) or keys == ["kind"]:
-            raise ArgumentError(f"Option `--set` must look like table.key=value, but is {setting!r}.")
+            raise ArgumentError(f"Option `--set` must look like table.key=value, but is {shown(setting)}.")
         pairs.append((keys, _value(path.strip(), text.strip())))
     for keys, value in sorted(pairs, key=lambda pair: pair[0][-1] != "kind"):
         target: Any = table

@@ -42,7 +42,8 @@ def port_law(sample, state, parameters, command):
         elif switching == LAYER:
             command[p] = smooth - damping * rate - coulomb * min(max(rate / layer, -1.0), 1.0)
         else:
-            command[p] = smooth - damping * rate - coulomb * ((rate > 0.0) - (rate < 0.0))
+            sign = 1.0 if rate > 0.0 else -1.0 if rate < 0.0 else 0.0
+            command[p] = smooth - damping * rate - coulomb * sign
 
 
 def implicit(smooth, rate, damping, coulomb, compliance):

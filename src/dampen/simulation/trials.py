@@ -47,7 +47,7 @@ def simulate(
     """
     bench = bench or Bench(scenario)
     bench.check_start(scenario)
-    setting = setting_of(scenario, bench=bench)
+    setting = setting_of(scenario, bench=bench, compile=compile)
     with blame(scenario.controller, "notes"):
         warnings = [*bench.warnings, *scenario.controller.notes(setting)]
     store = store or MemoryStore()
