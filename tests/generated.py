@@ -1,4 +1,4 @@
-"""Scenario files made by chance from the schema: valid ones of every kind, nearly valid ones, hostile ones; the same for a seed."""
+"""Scenario files made by chance from the schema: valid ones of every kind, nearly valid ones, hostile ones; by seed."""
 
 from __future__ import annotations
 
@@ -117,7 +117,11 @@ class Generator:
 
     def damping(self) -> Table:
         ratio = self.number(1e-3, 0.1)
-        return {"ratio": ratio if self.maybe() else [ratio, 0.0], "kelvin_voigt": self.number(1e-6, 1e-3), "viscous": self.number()}
+        return {
+            "ratio": ratio if self.maybe() else [ratio, 0.0],
+            "kelvin_voigt": self.number(1e-6, 1e-3),
+            "viscous": self.number(),
+        }
 
     def task(self, law: str) -> Table:
         task: Table = {"trials": self.chance.randint(1, 3), "trial_duration": self.duration, "start": self.start}
@@ -138,7 +142,9 @@ class Generator:
     def signal(self, size: float) -> Table:
         kind = self.chance.choice([k for k in KINDS["signal"] if k not in FILES])
         numbers = {"hold": ("value",), "minimum-jerk": ("target",), "sinusoid": ("amplitude",), "decay": ("start", "final")}[kind]
-        more: Table = {"minimum-jerk": {"duration": self.duration / 2}, "sinusoid": {"frequency": 0.5 / self.duration}}.get(kind, {})
+        more: Table = {"minimum-jerk": {"duration": self.duration / 2}, "sinusoid": {"frequency": 0.5 / self.duration}}.get(
+            kind, {}
+        )
         return {"kind": kind, **{name: size * self.number() for name in numbers}, **more}
 
     def numerics(self, kind: str) -> Table:
@@ -189,7 +195,10 @@ class Generator:
         if kind in ("lag", "rate-limit"):
             stage = {name: self.number(0.01, 100.0) for name in near}
         if kind == "effectiveness":
-            stage = {"times": [0.0, self.duration / 2, self.duration], "values": [1.0, self.number(), self.chance.choice([0.0, 1.0])]}
+            stage = {
+                "times": [0.0, self.duration / 2, self.duration],
+                "values": [1.0, self.number(), self.chance.choice([0.0, 1.0])],
+            }
         return {"kind": kind, **stage}
 
     def disturbance(self, depth: int = 0) -> Table:
@@ -208,7 +217,11 @@ class Generator:
             "impulse": lambda: {"duration": self.duration, "impulse": self.by_port(0.01, 1), "blow": 0.1 * bool(place), **place},
             "constant": lambda: {"force": self.by_port(0.01, 1), **({"load_density": 1.0, **place} if place else {})},
             "moving-load": lambda: {"force": 1.0, "speed": 0.01 / self.duration, **place},
-            "base-shaking": lambda: {"frequencies": [slow], "amplitudes": [self.number()], **({"rms": 1.0, **band} if self.maybe() else {})},
+            "base-shaking": lambda: {
+                "frequencies": [slow],
+                "amplitudes": [self.number()],
+                **({"rms": 1.0, **band} if self.maybe() else {}),
+            },
         }
         found = made[kind]()
         if kind in ("constant", "moving-load"):

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
+from dampen.arguments import NOTHING, POSITIVE, SCENARIO, TEXTS, TRUTH, count, takes
 from dampen.component import ArgumentError
 from dampen.export.balanced import balanced as truncated
 from dampen.export.linear import LinearModel, Source, linear_model
@@ -30,6 +31,15 @@ def plant_model(
     return model if balanced is None else truncated(model, balanced)[0]
 
 
+@takes(
+    scenario=SCENARIO,
+    modes=count(1) | NOTHING,
+    inputs=TEXTS,
+    rates=TRUTH,
+    residual=TRUTH,
+    balanced=count(1) | NOTHING,
+    discrete=TRUTH | POSITIVE,
+)
 def state_space(
     scenario: Scenario,
     modes: int | None = None,

@@ -126,9 +126,13 @@ def own_class(table: str, kind: str, where: str, folder: Path) -> type[Component
     """The class that "module:Class" names."""
     cls, family = own_object(kind, f"{where}.kind", folder), FAMILIES[table]
     if not (isinstance(cls, type) and issubclass(cls, family)):
-        raise ArgumentError(f"Argument `{where}.kind` must name a subclass of dampen.{family.__name__}, but {shown(kind)} is none.")
+        raise ArgumentError(
+            f"Argument `{where}.kind` must name a subclass of dampen.{family.__name__}, but {shown(kind)} is none."
+        )
     if not dataclasses.is_dataclass(cls) or "__dataclass_params__" not in cls.__dict__:
-        raise ArgumentError(f"Argument `{where}.kind` must name a frozen dataclass, but {shown(kind)} lacks @dataclass(frozen=True).")
+        raise ArgumentError(
+            f"Argument `{where}.kind` must name a frozen dataclass, but {shown(kind)} lacks @dataclass(frozen=True)."
+        )
     if inspect.isabstract(cls):
         missing = ", ".join(sorted(getattr(cls, "__abstractmethods__", ())))
         raise ArgumentError(f"Argument `{where}.kind` must name a complete class, but {shown(kind)} does not define {missing}.")

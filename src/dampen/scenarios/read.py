@@ -10,6 +10,7 @@ from importlib import resources
 from pathlib import Path
 from typing import Any, get_args, get_origin
 
+from dampen.arguments import PATH, TEXTS, takes
 from dampen.component import ArgumentError, Component, InFile, hints_of, parameters, shown, split_hint, suggestion, wrong
 from dampen.controllers.none import NoControl
 from dampen.disturbances.none import NoDisturbance
@@ -34,6 +35,7 @@ def shipped() -> dict[str, Path]:
     return {path.parent.name.replace("_", "-"): path for path in sorted(root.glob("*/scenario.toml"))}
 
 
+@takes(source=PATH, overrides=TEXTS)
 def read_scenario(source: str | Path, overrides: Sequence[str] = ()) -> Scenario:
     """A shipped scenario by name, or a TOML file by path, with `key=value` overrides such as "controller.alpha_8=0.5".
 
@@ -83,10 +85,15 @@ def source_text(source: str | Path) -> str:
         with path.open("rb") as file:
             content = file.read(LARGEST + 1)  # a device may have no end
         if len(content) > LARGEST:
-            raise ArgumentError(f"Scenario file `{source}` must be at most {LARGEST // 2**20} MiB: name files for large matrices.")
+            raise ArgumentError(
+                f"Scenario file `{source}` must be at most {LARGEST // 2**20} MiB: name files for large matrices."
+            )
         return content.decode("utf-8")
-    except (OSError, UnicodeDecodeError) as error:
-        reason = error.strerror or error if isinstance(error, OSError) else "not UTF-8 text"
+    except (OSError, ValueError) as error:
+        if isinstance(error, ArgumentError):
+            raise
+        named = getattr(error, "strerror", None) or error  # ValueError: no name that a file can have
+        reason = "not UTF-8 text" if isinstance(error, UnicodeDecodeError) else named
         raise ArgumentError(f"Scenario file `{source}` cannot be read: {reason}.") from None
 
 
@@ -168,7 +175,10 @@ class Builder:
 
     def file(self, name: str, where: str) -> str:
         """The path of a file."""
-        return str((self.folder / name).resolve())
+        try:
+            return str((self.folder / name).resolve())
+        except (OSError, ValueError) as error:  # no name that a file can have
+            raise ArgumentError(f"Argument `{where}` must name a file, but is {shown(name)}: {error}.") from None
 
     def function(self, name: str, where: str) -> Callable[..., Any]:
         """A function of the user's own."""

@@ -7,6 +7,7 @@ from typing import Any
 
 import numpy as np
 
+from dampen.arguments import BENCH, PROGRESS, SCENARIO, STORE, TRUTH, takes
 from dampen.controllers.base import Setting
 from dampen.own import blame
 from dampen.simulation.account import accounts
@@ -26,6 +27,7 @@ FINE, BROKEN = 0, 1
 LOST = "The constraint of"
 
 
+@takes(scenario=SCENARIO, store=STORE, progress=PROGRESS, bench=BENCH, compile=TRUTH)
 def simulate(
     scenario: Scenario,
     *,

@@ -7,6 +7,7 @@ from contextlib import contextmanager
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+from dampen.arguments import PATH, takes
 from dampen.component import ArgumentError
 from dampen.release import version
 from dampen.scenarios.read import build, parse
@@ -175,6 +176,7 @@ def new_study(definition: Definition, folder: Path | None = None) -> Study:
     return Study(definition, folder)
 
 
+@takes(folder=PATH)
 def open_study(folder: str | Path) -> Study:
     """The study that a folder holds, with all rows that are done. Raises ArgumentError for any other folder."""
     folder = Path(folder)
