@@ -26,6 +26,9 @@ WRONG: tuple[Any, ...] = (
     *({"kind": "nowhere:Nothing"}, {"kind": ":"}, {"kind": "\x00:x"}, {"kind": "dampen.cli:main"}, [0.0] * 3000, "/", "file.csv"),
 )
 KEYS = ("", "nosuch", "é", "a" * 300, "__class__", "kind", "tip_w", "all", "f", "..", "\x00", "chain")
+INSTEAD = (b"\xff", b"==", b"= -", b"= 1e999")
+NAMES = ("../../x", "/etc/x", "a/b", "..", "", "x" * 10_000, "con")
+BASES = ("../x", "/dev/zero", "scenario.toml", "he2017", "/", "", 3)
 SCALES = (1e-300, 1e-160, 1e-80, 1e-40, 1e-20, 1e-10, 1e-6, 1e6, 1e10, 1e20, 1e40, 1e80, 1e160, 1e300)
 
 
@@ -261,9 +264,9 @@ class Generator:
             lambda: b"x = " + b"[" * c.randrange(100_000),
             lambda: b"[" + b".".join([b"a"] * c.randrange(1, 3000)) + b"]\nx = 1",
             lambda: whole + b"x = [" + b"0," * c.randrange(300_000) + b"]",
-            lambda: whole + f'name = "{c.choice(["../../x", "/etc/x", "a/b", "..", "", "x" * 10_000, "con"])}"\n'.encode(),
-            lambda: whole + f'based_on = {literal(c.choice(["../x", "/dev/zero", "scenario.toml", "he2017", "/", "", 3]))}\n'.encode(),
-            lambda: source_text("he2017").encode().replace(b"=", c.choice([b"\xff", b"==", b"= -", b"= 1e999"]), c.randrange(1, 9)),
+            lambda: whole + f'name = "{c.choice(NAMES)}"\n'.encode(),
+            lambda: whole + f'based_on = {literal(c.choice(BASES))}\n'.encode(),
+            lambda: source_text("he2017").encode().replace(b"=", c.choice(INSTEAD), c.randrange(1, 9)),
             lambda: bytes(b if c.random() > 0.01 else c.randrange(256) for b in whole),
             lambda: whole + f"[plant.damping]\nratio = {'9' * c.randrange(1, 9000)}\n".encode(),
             lambda: whole.replace(b"kind = \"", b"kind = \"nowhere.at_all:", 1),

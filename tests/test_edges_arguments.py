@@ -64,6 +64,7 @@ GIVEN: dict[str, dict[str, Any]] = {  # what has no default
     "Assembled": {"mass": [[1.0]], "stiffness": [[1.0]], "port_vectors": [[1.0]], "port": (dampen.AssembledPort("end"),)},
     "Scenario": {"plant": dampen.String(), "controller": dampen.NoControl(), "disturbance": dampen.NoDisturbance()},
 }
+TRUTHS = ("refine", "single", "build", "residual", "udp", "drive", "compare", "compile")
 FROM_FILES = ("Recorded", "RecordedSignal")
 
 
@@ -93,7 +94,8 @@ FUNCTIONS: dict[str, Callable[[], dict[str, Any]]] = {  # arguments that will do
     "export_c": lambda: {"scenario": case(), "folder": "c", "single": False, "guards": None},
     "export_fmu": lambda: {"scenario": case(), "file": "x.fmu", "what": "plant", "guards": None, "build": False},
     "state_space": lambda: {
-        "scenario": case(), "modes": 2, "inputs": ["ports"], "rates": False, "residual": False, "balanced": None, "discrete": False
+        "scenario": case(), "modes": 2, "inputs": ["ports"], "rates": False, "residual": False, "balanced": None,
+        "discrete": False,
     },
     "version": dict,
     "check_claims": lambda: {"result": result(), "baseline": None},
@@ -184,4 +186,4 @@ def fits(function: str, argument: str, value: Any) -> bool:
         "search": texts or isinstance(value, dict), "robust_over": texts or isinstance(value, dict),
         "seed": whole and value < 10**9, "budget": whole and value < 10**9,
         "rates": isinstance(value, bool), "discrete": isinstance(value, bool),
-    }.get(argument, isinstance(value, bool) and argument in ("refine", "single", "build", "residual", "udp", "drive", "compare", "compile"))  # fmt: skip
+    }.get(argument, isinstance(value, bool) and argument in TRUTHS)  # fmt: skip

@@ -20,7 +20,7 @@ from dampen.toml import to_toml
 from tests.generated import Generator
 
 FILES = int(os.environ.get("DAMPEN_FUZZ_SCENARIOS", "300"))  # a release is held against 20,000
-SECONDS = 10.0
+SECONDS = 30.0  # in plain Python; compiled, none takes a second
 CLEAR = re.compile(r"(Argument|Option|Scenario|An? |This |`|[\w.]+:).{5,600}", re.DOTALL)
 
 
@@ -31,7 +31,8 @@ def outcome(path: Path) -> str:
         assert build(parse(to_toml(scenario), "written"), path.parent) == scenario
         if scenario.steps * scenario.task.trials > 500:
             return "long"
-        result = dampen.simulate(scenario, bench=Bench(scenario), compile=False)
+        bench = Bench(scenario)
+        result = dampen.simulate(scenario, bench=bench, compile=False)
     except dampen.ArgumentError as error:
         for line in error.lines:
             assert CLEAR.fullmatch(line), line
@@ -43,17 +44,19 @@ def outcome(path: Path) -> str:
     if not result.broke_off and not any("did not settle" in line for line in result.warnings):
         account = energy_account(result)
         worst = max(account.error * account.largest, *trial_errors(result))
-        assert worst <= ROUND_OFF * account.largest + lost_in_motion(result), (worst, account)
+        works = abs(account.control) + abs(account.disturbance) + abs(account.load) + account.dissipated
+        assert worst <= ROUND_OFF * (account.largest + works) + lost_in_motion(result, bench), (worst, account)
     return result.status
 
 
-def lost_in_motion(result: dampen.Result) -> float:
+def lost_in_motion(result: dampen.Result, bench: Bench) -> float:
     """What works lose [J] because a motion is the difference of two displacements, each a double: not seen in usual units."""
     force, y = (np.abs(np.asarray(result[name])) for name in ("delivered", "y"))
     if "reference" in result.layout.variables:  # what is kept in the run is the distance from it
         y = y + 2 * np.abs(np.asarray(result["reference"]))
     pushed = force + np.abs(np.asarray(result["disturbance"]))
-    return float(1e-15 * np.sum(pushed * (y[:, 1:] + y[:, :-1])))
+    free = np.diag(bench.step.g) * bench.step.dt * pushed  # what these forces alone would move, where others hold them
+    return float(1e-15 * np.sum(pushed * (y[:, 1:] + y[:, :-1] + free)))
 
 
 def test_generated_scenarios_run_or_are_refused_in_words(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:

@@ -57,7 +57,7 @@ class ArgumentError(ValueError):
 
 
 def on_one_line(text: str) -> str:
-    """`text` as a terminal can show it, whatever names and files have put into it: without control characters, and not endless."""
+    """`text` as a terminal can show it, whatever names and files have put into it: no control characters, and not endless."""
     text = "".join(c if c.isprintable() else c.encode("unicode_escape").decode() for c in text[:LONGEST_LINE])
     return text if len(text) < LONGEST_LINE else text[: LONGEST_LINE - 3] + "..."
 

@@ -244,7 +244,7 @@ def resolved(functions: float) -> int:
     """A number of shape functions as a whole one. Raises ArgumentError where it is none, or too many to be reckoned with."""
     if not functions <= DEGREE_AT_MOST:
         raise ArgumentError(
-            f"Argument `plant` must vary less along x, or be less taut: {functions:.3g} shape functions would be needed to resolve "
-            f"it, more than {DEGREE_AT_MOST}."
+            f"Argument `plant` must vary less along x, or be less taut: {functions:.3g} shape functions would be needed to "
+            f"resolve it, more than {DEGREE_AT_MOST}."
         )
     return int(np.ceil(functions))

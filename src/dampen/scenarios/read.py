@@ -150,7 +150,7 @@ def _inside(target: Any, key: str, keys: list[str]) -> Any:
 
 
 def _index(target: list[Any], key: str, keys: list[str]) -> int:
-    if not key.isdigit() or int(key) >= len(target):
+    if not (key.isascii() and key.isdigit() and len(key) < 10) or int(key) >= len(target):
         raise ArgumentError(f"Option `--set {'.'.join(keys)}` must give a list index below {len(target)}, but gives `{key}`.")
     return int(key)
 

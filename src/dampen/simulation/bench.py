@@ -17,6 +17,7 @@ from dampen.own import blame
 from dampen.plants.base import Modes
 from dampen.port import Site
 from dampen.simulation.compose import Composition, compiled_kernel
+from dampen.simulation.cost import check_memory_of_trial
 from dampen.simulation.digital_law import port_law
 from dampen.simulation.kernel import Inputs
 from dampen.simulation.pieces import check_stages, modes_of
@@ -46,6 +47,7 @@ class Bench:
     def __init__(
         self, scenario: Scenario, modes: Modes | None = None, carried: tuple[Bench, Array] | None = None, keep: int = LOADS_KEPT
     ):
+        check_memory_of_trial(scenario)
         numerics, plant = scenario.numerics, scenario.plant
         self.scenario = scenario
         self.site = Site(plant.ports, plant.span, scenario.task.trial_duration)
