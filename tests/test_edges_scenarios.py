@@ -20,7 +20,7 @@ from dampen.toml import to_toml
 from tests.generated import Generator
 
 FILES = int(os.environ.get("DAMPEN_FUZZ_SCENARIOS", "300"))  # a release is held against 20,000
-SECONDS = 30.0  # in plain Python; compiled, none takes a second
+SECONDS = 30.0  # in plain Python, which is what runs here: slower than compiled
 CLEAR = re.compile(r"(Argument|Option|Scenario|An? |This |`|[\w.]+:).{5,600}", re.DOTALL)
 
 

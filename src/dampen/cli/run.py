@@ -45,7 +45,7 @@ HELP = (
 
 OutOption = Annotated[Path | None, typer.Option("--out", metavar="DIR", help="where to write (default: a new folder in runs/)")]
 ReportOption = Annotated[bool, typer.Option("--report/--no-report", help="figures and report.html")]
-RUNS = {"": 1.0, "audit": 16.0, "credit": 12.0, "limit": 200.0}  # of a scenario, that its review is worth in time
+RUNS = {"": 1.0, "audit": 16.0, "credit": 12.0, "limit": 200.0}  # runs that a review is worth in time: rough, not measured
 LEFT = (  # by an earlier run
     "report.html", "audit.json", "continuous.nc", "uncontrolled.nc", "exchanges.parquet", "figures/exchanges.png",
     "figures/exchanges.svg", "result.nc",
