@@ -248,7 +248,7 @@ def test_tables_without_end_are_refused():
 
 
 def test_predicted_cost_is_within_a_factor_of_what_it_takes():
-    from dampen.lab.limits import predicted_bytes, predicted_seconds
+    from dampen.simulation.cost import predicted_bytes, predicted_seconds
 
     scenario = scenario_of(table_of("he2017"), Trust(Path()))
     check_cost(scenario)

@@ -26,6 +26,8 @@ from typing_extensions import Doc
 if TYPE_CHECKING:
     from pydantic import BaseModel
 
+LONGEST_LINE = 1000
+LEAST, MOST = 1e-50, 1e50  # sizes of numbers: beyond, squares and fourth powers of them leave what a double can hold
 _BOUNDS = ((Gt, "gt", ">"), (Ge, "ge", ">="), (Lt, "lt", "<"), (Le, "le", "<="))
 _TYPES = {
     "float_type": "a number",
@@ -48,12 +50,18 @@ class ArgumentError(ValueError):
     """One or more arguments are wrong; each line of the message says which, what it must be and what it was."""
 
     def __init__(self, lines: str | Iterable[str]):
-        self.lines = [lines] if isinstance(lines, str) else list(lines)
+        self.lines = [on_one_line(line) for line in ([lines] if isinstance(lines, str) else lines)]
         super().__init__("\n".join(self.lines))
 
     def under(self, prefix: str) -> ArgumentError:
         """The same complaint, seen from the table that holds the component."""
         return ArgumentError([line.replace("Argument `", f"Argument `{prefix}.", 1) for line in self.lines])
+
+
+def on_one_line(text: str) -> str:
+    """`text` as a terminal can show it, whatever names and files have put into it: no control characters, and not endless."""
+    text = "".join(c if c.isprintable() else c.encode("unicode_escape").decode() for c in text[:LONGEST_LINE])
+    return text if len(text) < LONGEST_LINE else text[: LONGEST_LINE - 3] + "..."
 
 
 def wrong(name: str, must: str, value: object) -> ArgumentError:
@@ -146,7 +154,22 @@ def check(cls: type, values: Mapping[str, Any]) -> dict[str, Any]:
         model = _model(cls).model_validate(dict(values))
     except pydantic.ValidationError as error:
         raise ArgumentError(_lines(cls, values, error.errors())) from None
-    return {name: getattr(model, name) for name in values}
+    checked = {name: getattr(model, name) for name in values}
+    faults = [line for name, value in checked.items() for line in _beyond(name, value)]
+    if faults:
+        raise ArgumentError(faults)
+    return checked
+
+
+def _beyond(name: str, value: Any) -> list[str]:
+    """A complaint for the first number in `value` that is too large or too small to be reckoned with."""
+    if isinstance(value, float) and value and not LEAST <= abs(value) <= MOST:
+        return wrong(name, f"be 0 or between {LEAST:g} and {MOST:g} in size", value).lines
+    if isinstance(value, tuple):
+        return next((line for i, v in enumerate(value) if (line := _beyond(f"{name}[{i}]", v))), [])
+    if isinstance(value, dict):
+        return next((line for key, v in value.items() if (line := _beyond(f"{name}.{key}", v))), [])
+    return []
 
 
 @cache

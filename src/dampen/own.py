@@ -10,7 +10,7 @@ from contextlib import contextmanager
 from pathlib import Path
 from typing import Any
 
-from dampen.component import ArgumentError, own_name, wrong
+from dampen.component import ArgumentError, own_name, shown, wrong
 
 
 def own_object(name: str, argument: str, folder: Path | None = None) -> Any:
@@ -25,8 +25,8 @@ def own_object(name: str, argument: str, folder: Path | None = None) -> Any:
         found: Any = importlib.import_module(module)
         for part in attribute.split("."):
             found = getattr(found, part)
-    except Exception as error:
-        raise ArgumentError(f"Argument `{argument}` names {name!r}, which cannot be loaded: {complaint(error)}.") from None
+    except (Exception, SystemExit) as error:  # a program that is imported may want to end
+        raise ArgumentError(f"Argument `{argument}` names {shown(name)}, which cannot be loaded: {complaint(error)}.") from None
     finally:
         for place in places:
             sys.path.remove(place)

@@ -54,8 +54,12 @@ class Recording:
 def content_of(path: str) -> bytes:
     """The bytes of a record; raises ArgumentError for `file`."""
     try:
+        if Path(path).exists() and not Path(path).is_file():  # a device or a pipe may have no end
+            raise ArgumentError(f"Argument `file` must name a file, but `{path}` is none.")
         return Path(path).read_bytes()
-    except OSError as error:
+    except (OSError, ValueError) as error:  # ValueError: no name that a file can have
+        if isinstance(error, ArgumentError):
+            raise
         raise _unreadable(path, error) from None
 
 
@@ -64,13 +68,16 @@ def is_netcdf(content: bytes) -> bool:
     return content.startswith((b"\x89HDF", b"CDF"))
 
 
-def _unreadable(path: str, error: OSError) -> ArgumentError:
-    return ArgumentError(f"Argument `file` names `{path}`, which cannot be read: {error.strerror or error}.")
+def _unreadable(path: str, error: OSError | ValueError) -> ArgumentError:
+    return ArgumentError(f"Argument `file` names `{path}`, which cannot be read: {getattr(error, 'strerror', None) or error}.")
 
 
 def pin(recorded: Any) -> None:
     """Make the `file` of a component absolute, fill in its `sha256` where it has none, and read it then."""
-    object.__setattr__(recorded, "file", str(Path(recorded.file).resolve()))
+    try:
+        object.__setattr__(recorded, "file", str(Path(recorded.file).resolve()))
+    except (OSError, ValueError) as error:
+        raise _unreadable(recorded.file, error) from None
     if not recorded.sha256:
         object.__setattr__(recorded, "sha256", fingerprint(recorded.file))
         recorded.recording()

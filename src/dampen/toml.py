@@ -37,7 +37,7 @@ def literal(value: Any) -> str:
     if isinstance(value, bool):
         return str(value).lower()
     if isinstance(value, str):
-        return json.dumps(value, ensure_ascii=False)
+        return quoted(value)
     if callable(value) and not isinstance(value, Component):
         return literal(own_name(value))
     if isinstance(value, tuple | list):
@@ -52,7 +52,12 @@ def literal(value: Any) -> str:
 
 def bare(key: str) -> str:
     """A key as TOML writes it: a port's name may need quotes."""
-    return key if re.fullmatch(r"[A-Za-z0-9_-]+", key) else json.dumps(key, ensure_ascii=False)
+    return key if re.fullmatch(r"[A-Za-z0-9_-]+", key) else quoted(key)
+
+
+def quoted(text: str) -> str:
+    """Text as TOML writes it: as JSON does, but for DEL, which TOML wants escaped too."""
+    return json.dumps(text, ensure_ascii=False).replace("\x7f", "\\u007f")
 
 
 def kind_of(component: Component) -> str:

@@ -9,6 +9,7 @@ import numpy as np
 
 from dampen.analysis.metrics import largest
 from dampen.analysis.supply import NoBound, Supply, supply
+from dampen.arguments import BENCH, RESULT, takes
 from dampen.controllers.base import PortLaw, Setting
 from dampen.simulation.bench import Bench
 from dampen.simulation.compose import BARRIERS
@@ -65,6 +66,7 @@ class Bounds:
     notes: tuple[str, ...]
 
 
+@takes(result=RESULT, bench=BENCH)
 def bounds(result: Result, bench: Bench | None = None) -> Bounds:
     """The bounds that a passive law guarantees under disturbances within the scenario's stated bounds, true or not.
 

@@ -10,6 +10,7 @@ import numpy as np
 
 from dampen.actuators.backlash import Backlash
 from dampen.analysis.merits import merits
+from dampen.arguments import PROGRESS, SCENARIO, takes
 from dampen.component import ArgumentError
 from dampen.controllers.base import SampledFeedback
 from dampen.controllers.none import NoControl
@@ -69,6 +70,7 @@ class Credit:
         return next((variant for variant in self.variants if variant.name == name), None)
 
 
+@takes(scenario=SCENARIO, progress=PROGRESS)
 def credit(scenario: Scenario, progress: Progress | None = None) -> Credit:
     """Run a scenario and its ablations: what do learning, observer, barrier, Sgn, disturbance and actuator contribute?
 

@@ -11,6 +11,7 @@ import numpy as np
 from dampen.analysis.loops import Eigenvalues, closed_loop, eigenvalues, of_plant
 from dampen.analysis.rate_notes import evidence, law_notes, payload_note, payloads, stage_notes
 from dampen.analysis.sampled_ports import sampled_port_loop
+from dampen.arguments import BENCH, SCENARIO, takes
 from dampen.controllers.base import PortLaw, SampledFeedback, Setting
 from dampen.modal import ModalModel
 from dampen.simulation.bench import Bench
@@ -99,6 +100,7 @@ class NoRates:
     reason: str
 
 
+@takes(scenario=SCENARIO, bench=BENCH)
 def rates(scenario: Scenario, bench: Bench | None = None) -> Rates | NoRates:
     """The decay rates of the loop that the scenario's law closes around the modes kept.
 

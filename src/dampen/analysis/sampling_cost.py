@@ -7,6 +7,8 @@ from dataclasses import dataclass
 import numpy as np
 
 from dampen.analysis.metrics import field_rms, fraction_of_limit, port_index, tracking_error
+from dampen.arguments import RESULT, takes
+from dampen.component import ArgumentError
 from dampen.simulation.result import Result
 
 Array = np.ndarray
@@ -35,6 +37,7 @@ class Cost:
         return self.sampled / self.continuous if usable else None
 
 
+@takes(sampled=RESULT, continuous=RESULT)
 def sampling_cost(sampled: Result, continuous: Result) -> list[Cost]:
     """Chatter, margin, residual and effort of both runs, over the trials that both have finished; empty if there are none.
 
@@ -43,12 +46,12 @@ def sampling_cost(sampled: Result, continuous: Result) -> list[Cost]:
     residual: root mean square of a field over the structure, and of a port's tracking error, in the last trial.
     effort:   root mean square of the delivered force (torque) over the run [N, N m].
 
-    Raises ValueError where the two do not have the same ports, fields and task.
+    Raises ArgumentError where the two do not have the same ports, fields and task.
     """
     runs = (continuous, sampled)
     plants, tasks = [run.scenario.plant for run in runs], [run.scenario.task for run in runs]
     if plants[0].ports != plants[1].ports or plants[0].fields != plants[1].fields or tasks[0] != tasks[1]:
-        raise ValueError("Arguments `sampled` and `continuous` must be runs of one plant at one task, but are not.")
+        raise ArgumentError("Arguments `sampled` and `continuous` must be runs of one plant at one task, but are not.")
     trials = min(run.trials for run in runs)
     if not trials:
         return []

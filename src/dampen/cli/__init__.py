@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import codecs
 import gc
+import os
 import sys
 from typing import Annotated
 
@@ -73,8 +75,15 @@ def show(scenario: ScenarioArgument) -> None:
     sys.stdout.write(source_text(scenario))
 
 
+def in_utf8() -> None:
+    """Where the locale knows ASCII alone, begin again in UTF-8: names of files, titles and reports have other letters too."""
+    if os.name == "posix" and codecs.lookup(sys.getfilesystemencoding()).name == "ascii":
+        os.execve(sys.executable, sys.orig_argv, {**os.environ, "PYTHONUTF8": "1"})
+
+
 def main() -> None:
     """Entry point: bad input is one clear line and exit status 2."""
+    in_utf8()
     gc.set_threshold(200_000)  # a command makes many objects and few cycles: a tenth of its time
     try:
         status = app(standalone_mode=False) or COMPLETED
@@ -85,9 +94,13 @@ def main() -> None:
     except (typer.Abort, KeyboardInterrupt):
         err.print("Interrupted.", markup=False)
         status = BROKE_OFF
-    except BrokenPipeError:
-        sys.stderr.close()
+    except (BrokenPipeError, SystemExit):  # whoever read the output has gone; click then wants to exit by itself
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
         status = COMPLETED
+    except OSError as error:  # a full disk, a folder without permission: what is written before is kept
+        place = f" `{error.filename}`" if error.filename else ""
+        complain([f"The system refuses to write or read{place}: {error.strerror or error}."])
+        status = BROKE_OFF
     except Exception as error:
         if not hasattr(error, "format_message"):  # usage errors, whose class typer keeps to itself
             raise

@@ -8,7 +8,19 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from dampen.cli.studies import OutOption, ReportOption, SeedOption, WorkersOption
-from dampen.cli.terminal import BROKE_OFF, ScenarioArgument, SetOption, err, free_folder, out, progress_line, show_table, working
+from dampen.cli.terminal import (
+    BROKE_OFF,
+    HOURS,
+    HoursOption,
+    ScenarioArgument,
+    SetOption,
+    err,
+    free_folder,
+    out,
+    progress_line,
+    show_table,
+    working,
+)
 
 if TYPE_CHECKING:
     from dampen.studies.compare.comparison import Comparison
@@ -40,9 +52,12 @@ def compare(
     folder: OutOption = None,
     workers: WorkersOption = None,
     report: ReportOption = True,
+    hours: HoursOption = HOURS,
 ) -> None:
     """`dampen compare`."""
     from dampen.scenarios.read import read_scenario
+    from dampen.simulation.cores import cores
+    from dampen.simulation.cost import check_time
     from dampen.studies.compare.api import Plan
     from dampen.studies.engines import Cores
 
@@ -53,6 +68,7 @@ def compare(
     except KeyboardInterrupt:
         err.print("Interrupted: nothing is written.", markup=False)
         raise typer.Exit(BROKE_OFF) from None
+    check_time(case, plan.runs / (workers or cores()), hours)
     for name, why in plan.left_out.items():
         err.print(f"Left out: {name}: {why}", markup=False)
     folder = free_folder(folder, f"{case.name}-compare")

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 import typer
 
 from dampen.cli.run import OutOption, ReportOption, finish, perform
-from dampen.cli.terminal import ScenarioArgument, SetOption, err, out, progress_line, show_table, working
+from dampen.cli.terminal import HOURS, HoursOption, ScenarioArgument, SetOption, err, out, progress_line, show_table, working
 
 if TYPE_CHECKING:
     from dampen.analysis.limit.curve import Limit
@@ -46,6 +46,7 @@ def audit(
     with_credit: Annotated[bool, typer.Option("--credit/--no-credit", help="what each part of the law is worth")] = True,
     with_limit: Annotated[bool, typer.Option("--limit/--no-limit", help="how far from the best possible (takes long)")] = False,
     report: ReportOption = True,
+    hours: HoursOption = HOURS,
 ) -> None:
     """`dampen audit`."""
     from dampen.analysis.limit.measure import check_measures
@@ -59,7 +60,7 @@ def audit(
         if with_limit:
             check_measures(experiment, ())
 
-    done = perform(scenario, set_, folder, report, purpose="audit", review=reviewed, check=check)
+    done = perform(scenario, set_, folder, report, purpose="audit", review=reviewed, check=check, hours=hours)
     if done.record.audit is not None:
         show_table(("", "Criterion", "Measured", "Verdict"), coloured(audit_rows(done.record.audit)))
         out.print(sentence(done.record.audit), markup=False)
@@ -76,6 +77,7 @@ def limit(
     ] = None,
     folder: OutOption = None,
     report: ReportOption = True,
+    hours: HoursOption = HOURS,
 ) -> None:
     """`dampen limit`."""
     from dampen.analysis.limit.measure import check_measures
@@ -84,19 +86,25 @@ def limit(
         return review(bench, result, refine=None, of=of or ())
 
     check = partial(check_measures, names=of or ())
-    done = perform(scenario, set_, folder, report, purpose="limit", review=reviewed, check=check)
+    done = perform(scenario, set_, folder, report, purpose="limit", review=reviewed, check=check, hours=hours)
     show_limits(done.record)
     finish(done)
 
 
-def credit(scenario: ScenarioArgument, set_: SetOption = None, folder: OutOption = None, report: ReportOption = True) -> None:
+def credit(
+    scenario: ScenarioArgument,
+    set_: SetOption = None,
+    folder: OutOption = None,
+    report: ReportOption = True,
+    hours: HoursOption = HOURS,
+) -> None:
     """`dampen credit`."""
     from dampen.analysis.credit import refuse_without_control
 
     def reviewed(bench: Bench, result: Result) -> tuple[Record, bool]:
         return review(bench, result, refine=None, credit=True)
 
-    done = perform(scenario, set_, folder, report, purpose="credit", review=reviewed, check=refuse_without_control)
+    done = perform(scenario, set_, folder, report, purpose="credit", review=reviewed, check=refuse_without_control, hours=hours)
     show_credit(done.record)
     finish(done)
 

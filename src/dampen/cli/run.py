@@ -2,15 +2,29 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
+from contextlib import ExitStack, contextmanager
 from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from dampen.cli.terminal import BROKE_OFF, ScenarioArgument, SetOption, err, free_folder, out, progress_line, show_table, working
+from dampen.cli.terminal import (
+    BROKE_OFF,
+    HOURS,
+    HoursOption,
+    ScenarioArgument,
+    SetOption,
+    err,
+    free_folder,
+    out,
+    progress_line,
+    show_table,
+    working,
+)
 from dampen.component import ArgumentError
+from dampen.studies.alone import alone
 
 if TYPE_CHECKING:
     from dampen.analysis.claims import Claim
@@ -31,9 +45,10 @@ HELP = (
 
 OutOption = Annotated[Path | None, typer.Option("--out", metavar="DIR", help="where to write (default: a new folder in runs/)")]
 ReportOption = Annotated[bool, typer.Option("--report/--no-report", help="figures and report.html")]
-LEFT = (  # by an earlier run; what says that the folder is one of a run goes last
+RUNS = {"": 1.0, "audit": 16.0, "credit": 12.0, "limit": 200.0}  # runs that a review is worth in time: rough, not measured
+LEFT = (  # by an earlier run
     "report.html", "audit.json", "continuous.nc", "uncontrolled.nc", "exchanges.parquet", "figures/exchanges.png",
-    "figures/exchanges.svg", "result.nc", "scenario.toml",
+    "figures/exchanges.svg", "result.nc",
 )  # fmt: skip
 Review = Callable[["Bench", "Result"], tuple["Record", bool]]
 
@@ -51,9 +66,15 @@ class Done:
     whole: bool
 
 
-def run(scenario: ScenarioArgument, set_: SetOption = None, folder: OutOption = None, report: ReportOption = True) -> None:
+def run(
+    scenario: ScenarioArgument,
+    set_: SetOption = None,
+    folder: OutOption = None,
+    report: ReportOption = True,
+    hours: HoursOption = HOURS,
+) -> None:
     """`dampen run`."""
-    done = perform(scenario, set_, folder, report)
+    done = perform(scenario, set_, folder, report, hours=hours)
     show_outcome(done)
     finish(done)
 
@@ -66,11 +87,13 @@ def perform(
     purpose: str = "",
     review: Review | None = None,
     check: Callable[[Scenario], None] = lambda experiment: None,
+    hours: float = HOURS,
 ) -> Done:
     """Run a scenario with and without control, review it, and write everything.
 
     purpose: what a new folder is called after, beside the scenario.   review: makes the record; without it, the audit that needs
-    no further run.   check: raises ArgumentError, before anything is run, for a scenario that cannot be reviewed so.
+    no further run.   check: raises ArgumentError, before anything is run, for a scenario that cannot be reviewed so.   hours:
+    what is predicted to take longer is refused.
     """
     import scipy.linalg  # noqa: F401  (loaded first, so that the limit below reaches its BLAS too)
     from threadpoolctl import threadpool_limits
@@ -78,14 +101,16 @@ def perform(
     from dampen.scenarios.claims import check_claims
     from dampen.scenarios.read import read_scenario
     from dampen.simulation.bench import Bench
-    from dampen.studies.experiment import own_review
+    from dampen.simulation.cost import check_time
+    from dampen.studies.experiment import beside, own_review
     from dampen.studies.record import write_record
 
     experiment = read_scenario(scenario, set_ or ())
     check(experiment)
-    with threadpool_limits(1):
+    check_time(experiment, RUNS[purpose] + len(beside(experiment)), hours)
+    with ExitStack() as kept, threadpool_limits(1):
         bench = Bench(experiment)  # refuses what cannot be resolved, before anything is written
-        folder = make_folder(folder, f"{experiment.name}-{purpose}" if purpose else experiment.name)
+        folder = kept.enter_context(output_folder(folder, f"{experiment.name}-{purpose}" if purpose else experiment.name))
         runs = run_shown(bench, folder)
         for line in runs.result.warnings:
             err.print(f"Note: {line}", markup=False)
@@ -93,13 +118,13 @@ def perform(
             record, whole = own_review(bench, runs.result), True
         else:
             record, whole = review(bench, runs.result)
-    write_record(folder, record)
-    page = None
-    if report and runs.result.trials:
-        from dampen.report.write import report_of
+        write_record(folder, record)
+        page = None
+        if report and runs.result.trials:
+            from dampen.report.write import report_of
 
-        with working("Drawing figures"):
-            page = report_of(runs, folder, record)
+            with working("Drawing figures"):
+                page = report_of(runs, folder, record)
     whole &= not (runs.result.broke_off or (runs.baseline is not None and runs.baseline.broke_off))
     return Done(folder, runs.result, runs.continuous, check_claims(runs.result, runs.baseline), record, page, whole)
 
@@ -111,19 +136,30 @@ def finish(done: Done) -> None:
         raise typer.Exit(BROKE_OFF)
 
 
-def make_folder(folder: Path | None, name: str) -> Path:
-    """The output folder, made ready: what an earlier run has left there goes."""
+@contextmanager
+def output_folder(folder: Path | None, name: str) -> Iterator[Path]:
+    """The output folder, made ready and kept from other processes meanwhile: what an earlier run has left there goes."""
     folder = free_folder(folder, name)
-    if (folder / "scenario.toml").exists() and not (folder / "result.nc").exists():
-        raise ArgumentError(f"Output folder `{folder}` must be another one: it holds a scenario.toml that no run has left there.")
-    try:
-        folder.mkdir(parents=True, exist_ok=True)
-        for old in LEFT:
-            (folder / old).unlink(missing_ok=True)
-        (folder / "scenario.toml").touch()
-    except OSError as error:
-        raise ArgumentError(f"Output folder `{folder}` cannot be written: {error.strerror or error}.") from None
-    return folder
+    mark = folder / "scenario.toml"
+    busy = f"Output folder `{folder}` must be another one: another process is writing there."
+    with ExitStack() as held:
+        try:
+            left = not mark.exists() or mark.stat().st_size == 0 or (folder / "result.nc").exists()
+            folder.mkdir(parents=True, exist_ok=True)
+            held.enter_context(alone(mark, busy))
+            if not left:
+                raise ArgumentError(
+                    f"Output folder `{folder}` must be another one: it holds a scenario.toml that no run has left there."
+                )
+            mark.write_text("", encoding="utf-8")
+            for old in LEFT:
+                (folder / old).unlink(missing_ok=True)
+        except (OSError, ValueError) as error:
+            if isinstance(error, ArgumentError):
+                raise
+            reason = getattr(error, "strerror", None) or error
+            raise ArgumentError(f"Output folder `{folder}` cannot be written: {reason}.") from None
+        yield folder
 
 
 def run_shown(bench: Bench, folder: Path) -> Runs:

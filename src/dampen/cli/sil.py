@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from dampen.cli.run import OutOption, compile_ahead, make_folder
+from dampen.cli.run import OutOption, compile_ahead, output_folder
 from dampen.cli.terminal import BROKE_OFF, ScenarioArgument, SetOption, err, out, progress_line, show_table, working
 from dampen.component import ArgumentError
 
@@ -64,8 +64,10 @@ def sil(
         raise ArgumentError("One of `--controller` and `--port` must be given: a program to start, or where one listens already.")
     case = read_scenario(scenario, set_ or ())
     bench = Bench(case)
-    with reached(case, controller, udp=udp, port=port, drive=drive, timeout=timeout) as counterpart:
-        folder = make_folder(folder, f"{case.name}-sil")
+    with (
+        reached(case, controller, udp=udp, port=port, drive=drive, timeout=timeout) as counterpart,
+        output_folder(folder, f"{case.name}-sil") as folder,
+    ):
         (folder / "scenario.toml").write_text(to_toml(case), encoding="utf-8")
         compile_ahead(seated(case, inverts=drive), bench)
         if compare and Agreement.possible(case):
@@ -76,7 +78,7 @@ def sil(
                 done = in_the_loop(case, counterpart, bench, store, compare, lambda finished, trials: update(advance=1))
         finally:
             counterpart.exchanges.write(folder / "exchanges.parquet")
-    show(done, folder, report, bench)
+        show(done, folder, report, bench)
 
 
 def show(done: InTheLoop, folder: Path, report: bool, bench: Bench) -> None:

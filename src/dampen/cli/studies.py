@@ -10,7 +10,19 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
-from dampen.cli.terminal import BROKE_OFF, ScenarioArgument, SetOption, err, free_folder, out, progress_line, show_table, working
+from dampen.cli.terminal import (
+    BROKE_OFF,
+    HOURS,
+    HoursOption,
+    ScenarioArgument,
+    SetOption,
+    err,
+    free_folder,
+    out,
+    progress_line,
+    show_table,
+    working,
+)
 from dampen.component import ArgumentError
 
 if TYPE_CHECKING:
@@ -64,12 +76,13 @@ def sweep(
     workers: WorkersOption = None,
     scheduler: SchedulerOption = None,
     report: ReportOption = True,
+    hours: HoursOption = HOURS,
 ) -> None:
     """`dampen sweep`."""
     from dampen.studies.definition import sweep_of
 
     case, home = _scenario(scenario, set_)
-    _start(sweep_of(case, vary or (), home), folder, workers, scheduler, report)
+    _start(sweep_of(case, vary or (), home), folder, workers, scheduler, report, hours)
 
 
 def robust(
@@ -83,12 +96,13 @@ def robust(
     workers: WorkersOption = None,
     scheduler: SchedulerOption = None,
     report: ReportOption = True,
+    hours: HoursOption = HOURS,
 ) -> None:
     """`dampen robust`."""
     from dampen.studies.definition import robust_of
 
     case, home = _scenario(scenario, set_)
-    _start(robust_of(case, uncertain or (), samples, sampler, seed, home), folder, workers, scheduler, report)
+    _start(robust_of(case, uncertain or (), samples, sampler, seed, home), folder, workers, scheduler, report, hours)
 
 
 def tune(
@@ -107,6 +121,7 @@ def tune(
     workers: WorkersOption = None,
     scheduler: SchedulerOption = None,
     report: ReportOption = True,
+    hours: HoursOption = HOURS,
 ) -> None:
     """`dampen tune`."""
     from dampen.studies.definition import tune_of
@@ -115,7 +130,7 @@ def tune(
     definition = tune_of(
         case, search or (), objective or ("peak",), budget, population, seed, robust_over or (), robust_samples, home
     )
-    _start(definition, folder, workers, scheduler, report)
+    _start(definition, folder, workers, scheduler, report, hours)
 
 
 def resume(
@@ -147,10 +162,17 @@ def _scenario(source: str, settings: list[str] | None) -> tuple[Any, Path]:
     return read_scenario(source, settings or ()), folder_of(source).resolve()
 
 
-def _start(definition: Definition, folder: Path | None, workers: int | None, scheduler: str | None, report: bool) -> None:
+def _start(
+    definition: Definition, folder: Path | None, workers: int | None, scheduler: str | None, report: bool, hours: float
+) -> None:
     from dampen.simulation.bench import Bench
+    from dampen.simulation.cores import cores
+    from dampen.simulation.cost import check_time
     from dampen.studies.study import new_study
 
+    if scheduler is None:  # how many work on a cluster is not known here
+        runs = definition.members * max(1, definition.robust_samples)
+        check_time(definition.scenario, runs / (workers or cores()), hours)
     Bench(definition.scenario)  # refuses what cannot be resolved, before anything is written
     name = f"{definition.scenario.name}-{definition.kind}"
     study = new_study(definition, free_folder(folder, name))

@@ -14,7 +14,15 @@ from typer.core import TyperCommand
 
 COMPLETED, BAD_INPUT, BROKE_OFF = 0, 2, 3
 
-out, err = Console(soft_wrap=True, highlight=False), Console(stderr=True, soft_wrap=True, highlight=False)
+
+class Terminal(Console):
+    """A console that lets `main` see to a reader that has gone."""
+
+    def on_broken_pipe(self) -> None:
+        raise BrokenPipeError
+
+
+out, err = Terminal(soft_wrap=True, highlight=False), Terminal(stderr=True, soft_wrap=True, highlight=False)
 
 
 class WithListing(TyperCommand):
@@ -39,6 +47,10 @@ ScenarioArgument = Annotated[str, typer.Argument(help="a shipped scenario (see `
 SetOption = Annotated[
     list[str] | None, typer.Option("--set", metavar="KEY=VALUE", help="change a value, e.g. plant.tip_mass=0.2")
 ]
+
+
+HOURS = 24.0
+HoursOption = Annotated[float, typer.Option("--hours", help="refuse what is predicted to take longer")]
 
 
 def complain(lines: list[str]) -> int:
@@ -92,4 +104,4 @@ def show_table(
         table.add_column(heading, justify="right" if heading in numbers else "left", overflow="fold", no_wrap=whole)
     for row in rows:
         table.add_row(*row)
-    Console(highlight=False, width=None if out.is_terminal else 140).print(table)
+    Terminal(highlight=False, width=None if out.is_terminal else 140).print(table)

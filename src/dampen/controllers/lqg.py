@@ -129,14 +129,18 @@ class LQG(SampledFeedback):
         weight[: 2 * n, : 2 * n] = self.energy_weight * np.diag(np.concatenate([omega**2, np.ones(n)]))
         weight += c.T @ (setting.by_port(self.error_weight)[:, None] * c)
         effort, shaken = self.effort_weight * np.eye(ports), self.force_noise**2 * self._shaking(setting, len(a))
+        none = "Argument `controller` has weights for which there is no LQG design"
         try:
-            cost = solve_discrete_are(a, b, weight, effort)
-            spread = solve_discrete_are(a.T, c.T, shaken, self.sensor_noise**2 * np.eye(ports))
+            with np.errstate(over="ignore", invalid="ignore", divide="ignore"):  # what comes of it is checked
+                cost = solve_discrete_are(a, b, weight, effort)
+                spread = solve_discrete_are(a.T, c.T, shaken, self.sensor_noise**2 * np.eye(ports))
+                hold = np.linalg.solve(effort + b.T @ cost @ b, b.T @ cost @ a)
+                correct = np.linalg.solve(c @ spread @ c.T + self.sensor_noise**2 * np.eye(ports), c @ spread).T
+                rest, feed = at_rest(a, b, c, self._wanted(setting))
         except (LinAlgError, ValueError) as error:
-            raise ArgumentError(f"Argument `controller` has weights for which there is no LQG design: {error}.") from None
-        hold = np.linalg.solve(effort + b.T @ cost @ b, b.T @ cost @ a)
-        correct = np.linalg.solve(c @ spread @ c.T + self.sensor_noise**2 * np.eye(ports), c @ spread).T
-        rest, feed = at_rest(a, b, c, self._wanted(setting))
+            raise ArgumentError(f"{none}: {error}.") from None
+        if not all(np.all(np.isfinite(found)) for found in (hold, correct, rest, feed)):
+            raise ArgumentError(f"{none}: its gains are beyond all numbers.")
         return Design(a, b, c, hold, correct, feed + hold @ rest)
 
     def _wanted(self, setting: Setting) -> Array:

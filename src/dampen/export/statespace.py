@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from dampen.arguments import NOTHING, POSITIVE, SCENARIO, TEXTS, TRUTH, count, takes
 from dampen.component import ArgumentError, is_number, wrong
 from dampen.export.balanced import balanced as truncated
 from dampen.export.linear import LinearModel, Source, linear_model
@@ -43,6 +44,15 @@ def sample_time(scenario: Scenario, discrete: bool | float) -> float:
     return float(discrete)
 
 
+@takes(
+    scenario=SCENARIO,
+    modes=count(1) | NOTHING,
+    inputs=TEXTS,
+    rates=TRUTH,
+    residual=TRUTH,
+    balanced=count(1) | NOTHING,
+    discrete=TRUTH | POSITIVE,
+)
 def state_space(
     scenario: Scenario,
     modes: int | None = None,

@@ -14,7 +14,7 @@ from dampen.plants.discretised import DeflectedPlant
 from dampen.plants.eigen import power_of_two
 from dampen.plants.energies import Roots
 from dampen.plants.profile import Profile, along, in_units, sampled
-from dampen.plants.spaces import Bending, degree
+from dampen.plants.spaces import Bending, degree, resolved
 from dampen.port import Port
 
 
@@ -64,7 +64,7 @@ class SlenderBeam:
     def space(self, count: int) -> Bending:
         """A degree for waves along the beam, and for the bending layers of width sqrt(EI/T) at the ends of a taut one."""
         rho, ei = (sampled(p, self.length) for p in (self.mass_per_length, self.bending_stiffness))
-        layers = int(np.ceil(4 * (self.tension * self.length**2 / ei.min()) ** 0.25))
+        layers = resolved(4 * float(self.tension * self.length**2 / ei.min()) ** 0.25)
         return Bending(self.length, degree(count, (rho / ei) ** 0.25) + layers, self.pinned)
 
     def _energies(self, space: Bending) -> Roots:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from dampen.component import wrong
+from dampen.component import ArgumentError, wrong
 
 Array = np.ndarray
 SURE, DOUBTFUL = 1e-3, 1e-6  # least eigenvalue, as a share of the shift, that is good for the next shift, or known at all
@@ -25,6 +25,7 @@ def solve_modes(mass: Array, stiffness: Array, count: int, at_once: bool = False
     from scipy.linalg import eigh
 
     _enough(count, len(mass))
+    _known(mass, stiffness)
     heavy = np.diag(mass)[np.diag(mass) > 0]
     unit = power_of_two(float(heavy[0])) if len(heavy) else 1.0
     mass, stiffness = mass / unit, stiffness / unit
@@ -49,6 +50,7 @@ def solve_roots(mass_root: Array, stiffness_root: Array, count: int) -> tuple[Ar
     size = mass_root.shape[1]
     _enough(count, size)
     mass, stiffness = mass_root.T @ mass_root, stiffness_root.T @ stiffness_root
+    _known(mass, stiffness)
     rigid = rigid_modes(stiffness)
     shift = elastic_shift(mass, stiffness, rigid) if rigid else 0.0
     held = np.vstack([stiffness_root, np.sqrt(shift) * mass_root]) if rigid else stiffness_root
@@ -113,6 +115,12 @@ def _unshifted(squares: Array, shift: float, rigid: int) -> Array:
     squares = np.maximum(squares - shift, 0.0)
     squares[:rigid] = 0.0
     return np.sqrt(squares)
+
+
+def _known(mass: Array, stiffness: Array) -> None:
+    """Raise ArgumentError for matrices that the plant's numbers have driven out of a double's range."""
+    if not (np.all(np.isfinite(mass)) and np.all(np.isfinite(stiffness)) and np.any(np.diag(mass) > 0)):
+        raise ArgumentError("Argument `plant` must have numbers nearer to one another: its mass or stiffness cannot be computed.")
 
 
 def _enough(count: int, size: int) -> None:

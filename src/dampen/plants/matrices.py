@@ -103,9 +103,16 @@ def content_hash(plant: Any, expected: str) -> str:
     total = hashlib.sha256()
     for name, path in paths:
         try:
+            if Path(path).exists() and not Path(path).is_file():  # a device or a pipe may have no end
+                raise ArgumentError(
+                    f"Argument `{name}` names `{path}`, which is no .npz, .npy or .mtx file: it is no file at all."
+                )
             total.update(Path(path).read_bytes())
-        except OSError as error:
-            raise ArgumentError(f"Argument `{name}` names `{path}`, which cannot be read: {error.strerror}.") from None
+        except (OSError, ValueError) as error:  # ValueError: no name that a file can have
+            if isinstance(error, ArgumentError):
+                raise
+            reason = getattr(error, "strerror", None) or error
+            raise ArgumentError(f"Argument `{name}` names `{path}`, which cannot be read: {reason}.") from None
     found = total.hexdigest() if paths else ""
     if expected and expected != found:
         raise wrong("sha256", f"be {found or 'left out, since no file is named'}, the files' hash (have they changed?)", expected)

@@ -17,10 +17,12 @@ from functools import cached_property
 import numpy as np
 from numpy.polynomial.legendre import legvander
 
+from dampen.component import ArgumentError
 from dampen.gauss import gauss_legendre
 from dampen.plants.base import Constant
 
 Array = np.ndarray
+DEGREE_AT_MOST = 4000  # a minute and half a gigabyte
 Function = Callable[[Array], Array]
 
 
@@ -235,4 +237,14 @@ def degree(count: int, *slowness: Array) -> int:
     they are shortest where the waves of a family are slowest: `slowness`, at sample points, is any measure of that.
     """
     crowding = max((float(np.max(slow) / np.mean(slow)) for slow in slowness), default=1.0)
-    return int(np.ceil(np.pi * count / 2 * max(crowding, 1.0) - 1e-9)) + 24
+    return resolved(np.pi * count / 2 * max(crowding, 1.0) - 1e-9) + 24
+
+
+def resolved(functions: float) -> int:
+    """A number of shape functions as a whole one. Raises ArgumentError where it is none, or too many to be reckoned with."""
+    if not functions <= DEGREE_AT_MOST:
+        raise ArgumentError(
+            f"Argument `plant` must vary less along x, or be less taut: {functions:.3g} shape functions would be needed to "
+            f"resolve it, more than {DEGREE_AT_MOST}."
+        )
+    return int(np.ceil(functions))

@@ -5,12 +5,14 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from dampen.analysis.claims import Claim
+from dampen.arguments import NOTHING, RESULT, takes
 from dampen.scenarios.figures import FigurePlan
 from dampen.scenarios.he2017.claims import he2017_claims
 from dampen.scenarios.he2017.figures import FIGURES, NOTE
 from dampen.simulation.result import Result
 
 
+@takes(result=RESULT, baseline=RESULT | NOTHING)
 def check_claims(result: Result, baseline: Result | None) -> list[Claim]:
     """The rows of the claims that the scenario names, measured on this run; `baseline` is the run without control."""
     if result.scenario.claims != "he2017" or baseline is None or not result.trials or not baseline.trials:

@@ -16,7 +16,7 @@ from dampen.actuators.ideal import Ideal
 from dampen.actuators.prandtl_ishlinskii import PrandtlIshlinskii
 from dampen.actuators.rate_limit import RateLimit
 from dampen.actuators.saturation import Saturation
-from dampen.component import ArgumentError, Component, suggestion
+from dampen.component import ArgumentError, Component, shown, suggestion
 from dampen.controllers.adaptive_boundary import AdaptiveBoundary
 from dampen.controllers.base import Controller
 from dampen.controllers.boundary_damping import BoundaryDamping
@@ -117,7 +117,7 @@ def find_kind(table: str, kind: object, where: str, folder: Path) -> type[Compon
         return own_class(table, kind, where, folder)
     if not isinstance(kind, str) or kind not in known:
         raise ArgumentError(
-            f"Argument `{where}.kind` must be a known kind of {table}, but is {kind!r}{suggestion(str(kind), known)}"
+            f"Argument `{where}.kind` must be a known kind of {table}, but is {shown(kind)}{suggestion(str(kind), known)}"
         )
     return known[kind]
 
@@ -126,10 +126,14 @@ def own_class(table: str, kind: str, where: str, folder: Path) -> type[Component
     """The class that "module:Class" names."""
     cls, family = own_object(kind, f"{where}.kind", folder), FAMILIES[table]
     if not (isinstance(cls, type) and issubclass(cls, family)):
-        raise ArgumentError(f"Argument `{where}.kind` must name a subclass of dampen.{family.__name__}, but {kind!r} is none.")
+        raise ArgumentError(
+            f"Argument `{where}.kind` must name a subclass of dampen.{family.__name__}, but {shown(kind)} is none."
+        )
     if not dataclasses.is_dataclass(cls) or "__dataclass_params__" not in cls.__dict__:
-        raise ArgumentError(f"Argument `{where}.kind` must name a frozen dataclass, but {kind!r} lacks @dataclass(frozen=True).")
+        raise ArgumentError(
+            f"Argument `{where}.kind` must name a frozen dataclass, but {shown(kind)} lacks @dataclass(frozen=True)."
+        )
     if inspect.isabstract(cls):
         missing = ", ".join(sorted(getattr(cls, "__abstractmethods__", ())))
-        raise ArgumentError(f"Argument `{where}.kind` must name a complete class, but {kind!r} does not define {missing}.")
+        raise ArgumentError(f"Argument `{where}.kind` must name a complete class, but {shown(kind)} does not define {missing}.")
     return cls

@@ -10,6 +10,7 @@ from importlib import resources
 from pathlib import Path
 from typing import Any, get_args, get_origin
 
+from dampen.arguments import PATH, TEXTS, takes
 from dampen.component import ArgumentError, Component, InFile, hints_of, parameters, shown, split_hint, suggestion, wrong
 from dampen.controllers.none import NoControl
 from dampen.disturbances.none import NoDisturbance
@@ -24,6 +25,7 @@ from dampen.toml import CHAINS
 Table = dict[str, Any]
 TABLES: dict[str, type[Component]] = {"task": Task, "sampling": Sampling, "numerics": Numerics, "output": Output}
 TOP = ("name", "title", "claims", "plant", "disturbance", "actuator", "compensation", "controller", "bounds", *TABLES)
+LARGEST = 64 * 2**20  # bytes of a scenario file
 BARE_WORD = re.compile(r"[A-Za-z][\w:.-]*")
 
 
@@ -33,6 +35,7 @@ def shipped() -> dict[str, Path]:
     return {path.parent.name.replace("_", "-"): path for path in sorted(root.glob("*/scenario.toml"))}
 
 
+@takes(source=PATH, overrides=TEXTS)
 def read_scenario(source: str | Path, overrides: Sequence[str] = ()) -> Scenario:
     """A shipped scenario by name, or a TOML file by path, with `key=value` overrides such as "controller.alpha_8=0.5".
 
@@ -79,9 +82,18 @@ def source_text(source: str | Path) -> str:
     try:
         if not path.exists() and path.suffix != ".toml" and len(path.parts) == 1:
             raise ArgumentError(f"Scenario `{source}` is neither a shipped scenario nor a file{suggestion(str(source), known)}")
-        return path.read_text(encoding="utf-8")
-    except (OSError, UnicodeDecodeError) as error:
-        reason = error.strerror if isinstance(error, OSError) else "not UTF-8 text"
+        with path.open("rb") as file:
+            content = file.read(LARGEST + 1)  # a device may have no end
+        if len(content) > LARGEST:
+            raise ArgumentError(
+                f"Scenario file `{source}` must be at most {LARGEST // 2**20} MiB: name files for large matrices."
+            )
+        return content.decode("utf-8")
+    except (OSError, ValueError) as error:
+        if isinstance(error, ArgumentError):
+            raise
+        named = getattr(error, "strerror", None) or error  # ValueError: no name that a file can have
+        reason = "not UTF-8 text" if isinstance(error, UnicodeDecodeError) else named
         raise ArgumentError(f"Scenario file `{source}` cannot be read: {reason}.") from None
 
 
@@ -100,7 +112,7 @@ def override(table: Table, settings: Sequence[str]) -> Table:
         path, equals, text = setting.partition("=")
         keys = [key.strip() for key in path.split(".")]
         if not equals or not all(keys) or keys == ["kind"]:
-            raise ArgumentError(f"Option `--set` must look like table.key=value, but is {setting!r}.")
+            raise ArgumentError(f"Option `--set` must look like table.key=value, but is {shown(setting)}.")
         pairs.append((keys, _value(path.strip(), text.strip())))
     for keys, value in sorted(pairs, key=lambda pair: pair[0][-1] != "kind"):
         target: Any = table
@@ -138,7 +150,7 @@ def _inside(target: Any, key: str, keys: list[str]) -> Any:
 
 
 def _index(target: list[Any], key: str, keys: list[str]) -> int:
-    if not key.isdigit() or int(key) >= len(target):
+    if not (key.isascii() and key.isdigit() and len(key) < 10) or int(key) >= len(target):
         raise ArgumentError(f"Option `--set {'.'.join(keys)}` must give a list index below {len(target)}, but gives `{key}`.")
     return int(key)
 
@@ -163,7 +175,10 @@ class Builder:
 
     def file(self, name: str, where: str) -> str:
         """The path of a file."""
-        return str((self.folder / name).resolve())
+        try:
+            return str((self.folder / name).resolve())
+        except (OSError, ValueError) as error:  # no name that a file can have
+            raise ArgumentError(f"Argument `{where}` must name a file, but is {shown(name)}: {error}.") from None
 
     def function(self, name: str, where: str) -> Callable[..., Any]:
         """A function of the user's own."""

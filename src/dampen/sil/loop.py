@@ -8,6 +8,7 @@ from typing import Any
 
 import numpy as np
 
+from dampen.arguments import BENCH, NOTHING, POSITIVE, PROGRESS, SCENARIO, STORE, TEXT, TEXTS, TRUTH, count, takes
 from dampen.own import blame
 from dampen.sil.agreement import Agreement
 from dampen.sil.counterpart import Counterpart
@@ -45,6 +46,18 @@ class InTheLoop:
     failure: str
 
 
+@takes(
+    scenario=SCENARIO,
+    controller=TEXT | TEXTS | NOTHING,
+    udp=TRUTH,
+    port=count(1, 65535) | NOTHING,
+    drive=TRUTH,
+    timeout=POSITIVE,
+    compare=TRUTH,
+    store=STORE,
+    progress=PROGRESS,
+    bench=BENCH,
+)
 def software_in_the_loop(
     scenario: Scenario,
     controller: str | Sequence[str] | None = None,

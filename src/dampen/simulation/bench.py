@@ -17,11 +17,12 @@ from dampen.own import blame
 from dampen.plants.base import Modes
 from dampen.port import Site
 from dampen.simulation.compose import Composition, compiled_kernel
+from dampen.simulation.cost import check_memory_of_trial
 from dampen.simulation.digital_law import port_law
 from dampen.simulation.kernel import Inputs
 from dampen.simulation.pieces import check_stages, modes_of
 from dampen.simulation.records import aligned, exact_step, modal_record
-from dampen.simulation.resolution import check_resolution
+from dampen.simulation.resolution import check_ports, check_resolution
 from dampen.simulation.scenario import Scenario
 from dampen.stage import Stage
 
@@ -46,6 +47,7 @@ class Bench:
     def __init__(
         self, scenario: Scenario, modes: Modes | None = None, carried: tuple[Bench, Array] | None = None, keep: int = LOADS_KEPT
     ):
+        check_memory_of_trial(scenario)
         numerics, plant = scenario.numerics, scenario.plant
         self.scenario = scenario
         self.site = Site(plant.ports, plant.span, scenario.task.trial_duration)
@@ -59,6 +61,9 @@ class Bench:
         self.x = output_points(scenario)
         with blame(plant, "initial_state"):
             self.start = plant.initial_state(self.modes)
+        if not all(np.all(np.isfinite(part)) for part in self.start):
+            raise ArgumentError("Argument `plant.initial` must be a shape and a rate that stay finite along the structure.")
+        check_ports(scenario, self.modes)
         self.warnings = check_resolution(scenario, self.modes, self.site)
         self.check_start(scenario)
         self._stages: list[type[Stage]] = []
@@ -117,8 +122,8 @@ class Bench:
         if not np.any(spread):
             return np.zeros(modes.count)
         off = spread * np.random.default_rng([task.seed, trial]).standard_normal(len(spread))
-        lowest = modes.omega[modes.omega > 0][0]
-        soft = modes.b / (modes.omega**2 + lowest**2)
+        lowest = np.min(modes.omega[modes.omega > 0], initial=np.inf)
+        soft = modes.b / (1 + (modes.omega / lowest) ** 2)
         return np.asarray(soft.T @ np.linalg.solve(modes.b @ soft.T, off))
 
     def check_start(self, scenario: Scenario) -> None:
@@ -127,8 +132,10 @@ class Bench:
             return
         low, high = (limits[0] for limits in scenario.task.limits(scenario.ports, np.zeros(1), 0))
         for p, y in enumerate(self.modes.b @ self.start[0]):
+            if not scenario.controller.has_barrier(scenario.plant.ports[p]):
+                continue
             middle, room = (low[p] + high[p]) / 2, (high[p] - low[p]) / 2
-            if scenario.controller.has_barrier(scenario.plant.ports[p]) and not abs(y - middle) < (1 - 1e-9) * room:
+            if not abs(y - middle) < (1 - 1e-9) * room:
                 where = f"|y| < {high[p]:g}" if middle == 0 else f"{low[p]:g} < y < {high[p]:g}"
                 must = f"be larger, or the constraint wider: they start {scenario.ports[p]} at {y:.9g}, outside {where}"
                 raise wrong("numerics.modes", must, self.modes.count)

@@ -19,6 +19,7 @@ from dampen.stage import Stage
 
 Array = np.ndarray
 TRIED = np.linspace(-10.0, 10.0, 41)
+FASTEST = 1e75  # 1/s: beyond, fourth powers leave what a double can hold
 PLACE = re.compile(r'File "(?P<file>[^"]+)", line (?P<line>\d+)')
 
 
@@ -29,8 +30,12 @@ def own(cls: type) -> bool:
 
 def modes_of(plant: Plant, count: int, grid: int | None) -> Modes:
     """The plant's modes, their shapes checked."""
-    with blame(plant, "modes"):
-        modes = plant.modes(count) if grid is None else plant.modes(count, grid)
+    try:
+        with blame(plant, "modes"), np.errstate(over="ignore", invalid="ignore", divide="ignore"):  # what comes of it is checked
+            modes = plant.modes(count) if grid is None else plant.modes(count, grid)
+    except np.linalg.LinAlgError:
+        text = "Argument `plant` must have numbers nearer to one another: its modes cannot be told from round-off."
+        raise ArgumentError(text) from None
     if not isinstance(modes, Modes):
         raise ArgumentError(f"{own_name(plant)}.modes must return Modes, but returns {type(modes).__name__}.")
     n, ports = np.size(modes.omega), len(plant.ports)
@@ -44,6 +49,9 @@ def modes_of(plant: Plant, count: int, grid: int | None) -> Modes:
     for name, sign in (("omega", modes.omega), ("decay", modes.decay)):
         if np.any(sign < 0):
             raise ArgumentError(f"{own_name(plant)}.modes must give `{name}` >= 0, but the least is {np.min(sign):g}.")
+    fastest = max(modes.omega.max(initial=0.0), modes.decay.max(initial=0.0), np.abs(modes.b).max(initial=0.0) ** 2)
+    if fastest > FASTEST:
+        raise ArgumentError(f"Argument `plant` must be slower or heavier: rates of its modes go up to {fastest:.3g} 1/s.")
     if [f.name for f in modes.fields] != [name for name, _ in plant.fields]:
         raise ArgumentError(f"{own_name(plant)}.modes must give the fields that the plant names, {[n for n, _ in plant.fields]}.")
     return modes

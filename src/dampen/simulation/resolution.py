@@ -13,6 +13,17 @@ REFUSED, WANTED = 4, 10
 SHORTEST_WAVES = 2000
 
 
+def check_ports(scenario: Scenario, modes: Modes) -> None:
+    """Raise ArgumentError where modes cannot move every port by itself, and samples or resets need that."""
+    if not (scenario.sampled or any(scenario.task.reset_error.values())):
+        return
+    size = np.linalg.norm(modes.b, axis=1, keepdims=True)
+    if np.linalg.matrix_rank(modes.b / np.where(size > 0, size, 1.0)) < len(modes.b):
+        why = "a law that acts through samples" if scenario.sampled else "`task.reset_error`"
+        must = f"be larger, or ports be apart: for {why} modes must move each of the {len(modes.b)} ports by itself"
+        raise wrong("numerics.modes", must, modes.count)
+
+
 def check_resolution(scenario: Scenario, modes: Modes, site: Site) -> list[str]:
     """Warnings, one line each; raises ArgumentError where a disturbance would be sampled beyond recognition.
 
@@ -38,7 +49,7 @@ def check_resolution(scenario: Scenario, modes: Modes, site: Site) -> list[str]:
             f"`numerics.step` = {1 / (WANTED * frequency):.2g} would do."
         )
     highest = modes.omega[-1] / (2 * np.pi)
-    if frequency > highest:
+    if frequency > highest > 0:
         enough = int(np.ceil(modes.count * frequency / highest)) + 1
         warnings.append(
             f"Trial {trial} is shaken at {frequency:g} Hz, but the highest of {modes.count} modes is at {highest:.1f} Hz: "

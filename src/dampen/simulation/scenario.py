@@ -125,6 +125,8 @@ class Scenario(Component):
                 raise wrong("sampling.period", f"divide task.trial_duration = {duration:g} s", period)
             if not divides(numerics.step, period):
                 raise wrong("sampling.period", f"be a multiple of numerics.step = {numerics.step:g} s", period)
+            if delay > self.task.trials * duration:
+                raise wrong("sampling.delay", f"be at most {self.task.trials * duration:g} s, all trials together", delay)
             if delay and not divides(numerics.step, delay):
                 raise wrong("sampling.delay", f"be a multiple of numerics.step = {numerics.step:g} s", delay)
 

@@ -19,10 +19,11 @@ from dampen.simulation.scenario import Scenario
 Array = np.ndarray
 
 
-def setting_of(scenario: Scenario, bench: Bench | None = None, like: Setting | None = None) -> Setting:
+def setting_of(scenario: Scenario, bench: Bench | None = None, like: Setting | None = None, compile: bool = True) -> Setting:
     """The setting of trial 0; without a bench, model and response have to be found out first where they are asked for.
 
-    like: a setting of another scenario with the same task, whose reference and limits then serve here too.
+    like:    a setting of another scenario with the same task, whose reference and limits then serve here too.
+    compile: False finds the response in plain Python.
     """
     (steps, dt), unlimited = scenario.law_grid, np.empty((0, len(scenario.ports)))
     found: list[Bench] = [bench] if bench else []
@@ -46,7 +47,7 @@ def setting_of(scenario: Scenario, bench: Bench | None = None, like: Setting | N
         sampled=scenario.sampled,
         delay=scenario.sampling.delay if scenario.sampled else 0.0,
         model=lambda: the_bench().modes,
-        response=once(lambda: response(scenario, the_bench())),
+        response=once(lambda: response(scenario, the_bench(), compile)),
     )
     if like is not None:
         return replace(setting, reference=like.reference, low=like.low, high=like.high)
@@ -75,7 +76,7 @@ def once(compute: Callable[[], Array]) -> Callable[[], Array]:
     return get
 
 
-def response(scenario: Scenario, bench: Bench) -> Array:
+def response(scenario: Scenario, bench: Bench, compile: bool = True) -> Array:
     """(intervals, ports out, ports in): tracking errors after a unit of feedforward in the law's first interval.
 
     The structure from rest, nothing shaking it, under the law's own damping and stiffness, every chain of stages replaced by
@@ -84,7 +85,7 @@ def response(scenario: Scenario, bench: Bench) -> Array:
     """
     controller, setting = scenario.controller, setting_of(scenario, bench=bench)
     law = controller.law(controller.begin(setting), setting)
-    kernel, classes = bench.kernel(scenario)
+    kernel, classes = bench.kernel(scenario, compile)
     ports, n, gain = len(setting.ports), scenario.steps, setting.gains
     each = round(setting.dt / scenario.numerics.step)
     answers = np.zeros((setting.steps, ports, ports))

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import shutil
 from abc import ABC, abstractmethod
 from collections.abc import Mapping
 from pathlib import Path
@@ -11,6 +12,7 @@ import numpy as np
 
 from dampen.component import ArgumentError
 from dampen.release import version
+from dampen.simulation.cost import check_disk, check_memory
 from dampen.simulation.result import Layout, Result
 
 Array = np.ndarray
@@ -38,13 +40,15 @@ class MemoryStore(Store):
     """Keeps everything in memory."""
 
     def open(self, layout: Layout, warnings: list[str]) -> None:
+        check_memory(layout)
         self.layout, self.warnings = layout, warnings
         trials = layout.scenario.task.trials
         self.arrays = {name: np.zeros((trials, *layout.shape(v)), v.kind) for name, v in layout.variables.items()}
 
     def write(self, trial: int, record: Mapping[str, Any]) -> None:
-        for name, array in self.arrays.items():
-            array[trial] = record[name]
+        with np.errstate(over="ignore"):  # fields beyond single precision: the trial then counts as broken off
+            for name, array in self.arrays.items():
+                array[trial] = record[name]
 
     def close(self, status: str, trials: int) -> Result:
         kept = {name: array[:trials] for name, array in self.arrays.items()}
@@ -67,6 +71,7 @@ class FileStore(Store):
 
         self.layout, self.warnings = layout, warnings
         try:
+            check_disk(layout, self.path)
             self.file = netCDF4.Dataset(self.path, "w", format="NETCDF4")
         except OSError as error:
             raise ArgumentError(f"Result file `{self.path}` cannot be written: {error.strerror or error}.") from None
@@ -92,13 +97,26 @@ class FileStore(Store):
         self._describe("running", 0)
 
     def write(self, trial: int, record: Mapping[str, Any]) -> None:
-        for name in self.layout.variables:
-            self.file[name][trial] = record[name]
-        self.file.setncattr("trials_finished", trial + (record["status"] == 0))
+        try:
+            for name in self.layout.variables:
+                self.file[name][trial] = record[name]
+            self.file.setncattr("trials_finished", trial + (record["status"] == 0))
+        except (OSError, RuntimeError) as error:
+            raise self._full(trial, error) from None
+
+    def _full(self, trial: int, error: Exception) -> ArgumentError:
+        """What is said of a disk that takes no more: HDF5 tells no reason of its own."""
+        free = shutil.disk_usage(self.path.absolute().parent).free
+        return ArgumentError(
+            f"Result file `{self.path}` cannot be written beyond trial {trial}: {error}; {free / 2**20:.1f} MiB are free there."
+        )
 
     def close(self, status: str, trials: int) -> Result:
-        self._describe(status, trials)
-        self.file.close()
+        try:
+            self._describe(status, trials)
+            self.file.close()
+        except (OSError, RuntimeError) as error:
+            raise self._full(trials, error) from None
         return open_result(self.path, self.layout.scenario)
 
     def _describe(self, status: str, trials: int) -> None:

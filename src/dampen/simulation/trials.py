@@ -7,6 +7,7 @@ from typing import Any
 
 import numpy as np
 
+from dampen.arguments import BENCH, PROGRESS, SCENARIO, STORE, TRUTH, takes
 from dampen.controllers.base import Setting
 from dampen.own import blame
 from dampen.simulation.account import accounts
@@ -23,9 +24,11 @@ from dampen.simulation.stores import MemoryStore, Store
 Array = np.ndarray
 Progress = Callable[[int, int], None]
 FINE, BROKEN = 0, 1
+LARGEST_FIELD = 1e38
 LOST = "The constraint of"
 
 
+@takes(scenario=SCENARIO, store=STORE, progress=PROGRESS, bench=BENCH, compile=TRUTH)
 def simulate(
     scenario: Scenario,
     *,
@@ -47,7 +50,7 @@ def simulate(
     """
     bench = bench or Bench(scenario)
     bench.check_start(scenario)
-    setting = setting_of(scenario, bench=bench)
+    setting = setting_of(scenario, bench=bench, compile=compile)
     with blame(scenario.controller, "notes"):
         warnings = [*bench.warnings, *scenario.controller.notes(setting)]
     store = store or MemoryStore()
@@ -85,9 +88,18 @@ def trials(scenario: Scenario, bench: Bench, compile: bool = True) -> Iterator[d
             **accounts(scenario, p.trial, p.record, p.inputs, p.ports),
             **(samples(p.sampler, p.setting) if scenario.sampled else {}),
             **p.memory,
-            "status": FINE if p.done == scenario.steps else BROKEN,
+            "status": FINE if p.done == scenario.steps and kept_in_single(p.record, bench) else BROKEN,
             "unsettled": int(p.record.unsettled[0]),
         }
+
+
+def kept_in_single(record: Record, bench: Bench) -> bool:
+    """Whether fields, which are kept in single precision, are within its range."""
+    return not bench.shapes or float(np.abs(record.q).max(initial=0.0)) * _steepest(bench) < LARGEST_FIELD
+
+
+def _steepest(bench: Bench) -> float:
+    return float(max(np.abs(shapes).sum(axis=1).max() for shapes in bench.shapes.values()))
 
 
 def samples(sampler: Sampler, setting: Setting) -> dict[str, Array]:

@@ -8,6 +8,7 @@ from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
+from dampen.arguments import ENGINE, FOLDER, NOTHING, PATH, PROGRESS, RANGES, SCENARIO, TEXT, TEXTS, count, takes
 from dampen.component import ArgumentError, plain_value
 from dampen.simulation.scenario import Scenario
 from dampen.studies.definition import Definition, robust_of, sweep_of, tune_of, whole
@@ -18,6 +19,7 @@ from dampen.toml import literal, to_toml
 Ranges = Mapping[str, str | Sequence[Any]] | Sequence[str]
 
 
+@takes(scenario=SCENARIO, vary=RANGES, folder=FOLDER, engine=ENGINE, progress=PROGRESS)
 def sweep(
     scenario: Scenario,
     vary: Ranges,
@@ -38,6 +40,16 @@ def sweep(
     return _run(sweep_of(scenario, _texts(vary), home_of(scenario)), folder, engine, progress)
 
 
+@takes(
+    scenario=SCENARIO,
+    uncertain=RANGES,
+    sampler=TEXT,
+    folder=FOLDER,
+    engine=ENGINE,
+    progress=PROGRESS,
+    samples=count(1),
+    seed=count(),
+)
 def robust(
     scenario: Scenario,
     uncertain: Ranges,
@@ -58,6 +70,19 @@ def robust(
     return _run(robust_of(scenario, _texts(uncertain), samples, sampler, seed, home_of(scenario)), folder, engine, progress)
 
 
+@takes(
+    scenario=SCENARIO,
+    search=RANGES,
+    objective=TEXT | TEXTS,
+    robust_over=RANGES,
+    folder=FOLDER,
+    engine=ENGINE,
+    progress=PROGRESS,
+    budget=count(1),
+    population=count(4) | NOTHING,
+    robust_samples=count(1),
+    seed=count(),
+)
 def tune(
     scenario: Scenario,
     search: Ranges,
@@ -90,6 +115,7 @@ def tune(
     )
 
 
+@takes(folder=PATH, engine=ENGINE, progress=PROGRESS)
 def resume(folder: str | Path, *, engine: Engine | int | str | None = None, progress: Progress | None = None) -> Study:
     """Go on with a study from where it was left. Raises ArgumentError for a folder that holds none."""
     return open_study(folder).run(engine_of(engine), progress)

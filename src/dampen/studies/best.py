@@ -8,6 +8,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from dampen.analysis.merits import columns, merit, merits
+from dampen.arguments import NOTHING, STUDY, TEXT, takes
 from dampen.component import ArgumentError, suggestion
 from dampen.simulation.batch import Batch, Tally
 from dampen.simulation.scenario import Scenario
@@ -32,6 +33,7 @@ def nominal_merits(study: Study) -> dict[str, float] | None:
     return merits(outcome) if isinstance(outcome, Tally) else None
 
 
+@takes(study=STUDY, objective=TEXT | NOTHING)
 def best_scenario(study: Study, objective: str | None = None) -> Scenario:
     """The scenario of the best member, in the study's first objective unless told. Raises ArgumentError where there is none."""
     definition = study.definition

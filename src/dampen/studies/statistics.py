@@ -15,6 +15,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from dampen.arguments import STUDY, takes
 from dampen.component import wrong
 from dampen.studies.rows import JUDGED, LOST, Array, by_member, column, counts, statuses
 
@@ -144,6 +145,7 @@ def proportion(count: int, of: int, level: float = LEVEL) -> Proportion:
     return Proportion(count, of, count / of, float(interval.low), float(interval.high))
 
 
+@takes(study=STUDY)
 def robustness(study: Study) -> Robustness:
     """How often the constraint is lost, how large the merits are, and which parameters they depend on, as far as is known.
 

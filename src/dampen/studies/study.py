@@ -7,11 +7,13 @@ from contextlib import contextmanager
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+from dampen.arguments import PATH, takes
 from dampen.component import ArgumentError
 from dampen.release import version
 from dampen.scenarios.read import build, parse
 from dampen.simulation.bench import Bench
 from dampen.simulation.interrupt import interrupt_noted
+from dampen.studies.alone import alone
 from dampen.studies.definition import Definition, read_definition
 from dampen.studies.engines import Cores, Engine, Here
 from dampen.studies.evaluate import Work
@@ -135,20 +137,10 @@ class Study:
 
 @contextmanager
 def running_alone(folder: Path | None) -> Iterator[None]:
-    """Keep other processes from running the study of a folder; the system lets go of it however this one ends."""
-    try:
-        import fcntl
-    except ImportError:  # not on Windows
-        folder = None
-    if folder is None:
-        yield
-        return
-    (folder / "rows").mkdir(exist_ok=True)
-    with (folder / "rows" / "lock").open("w") as lock:
-        try:
-            fcntl.flock(lock, fcntl.LOCK_EX | fcntl.LOCK_NB)
-        except OSError:
-            raise ArgumentError(f"Study folder `{folder}` is being run by another process.") from None
+    """Keep other processes from running the study of a folder."""
+    if folder is not None:
+        (folder / "rows").mkdir(exist_ok=True)
+    with alone(folder and folder / "rows" / "lock", f"Study folder `{folder}` is being run by another process."):
         yield
 
 
@@ -175,6 +167,7 @@ def new_study(definition: Definition, folder: Path | None = None) -> Study:
     return Study(definition, folder)
 
 
+@takes(folder=PATH)
 def open_study(folder: str | Path) -> Study:
     """The study that a folder holds, with all rows that are done. Raises ArgumentError for any other folder."""
     folder = Path(folder)

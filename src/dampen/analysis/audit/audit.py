@@ -15,6 +15,7 @@ from dampen.analysis.audit.residual import residual
 from dampen.analysis.audit.resolution import resolution
 from dampen.analysis.bounds import Bounds, bounds
 from dampen.analysis.rates import NoRates, Rates, rates
+from dampen.arguments import BENCH, RESULT, TRUTH, takes
 from dampen.component import ArgumentError
 from dampen.simulation.bench import Bench
 from dampen.simulation.result import Result
@@ -46,6 +47,7 @@ class Audit:
         return found
 
 
+@takes(result=RESULT, refine=TRUTH, bench=BENCH)
 def audit(result: Result, *, refine: bool = True, bench: Bench | None = None) -> Audit:
     """Audit a run: its energy account, its resolution, the assumptions of its law, its bounds, and the proof's energy.
 

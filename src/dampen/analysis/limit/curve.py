@@ -14,6 +14,7 @@ from dampen.analysis.limit.best import best_forces
 from dampen.analysis.limit.lifted import Lifted, effort_square, mean_square
 from dampen.analysis.limit.measure import experiment, measure, measures
 from dampen.analysis.limit.riccati import KEPT, gains_size
+from dampen.arguments import BENCH, NOTHING, POSITIVES, PROGRESS, SCENARIO, TEXT, count, takes
 from dampen.component import wrong
 from dampen.simulation.bench import Bench
 from dampen.simulation.cores import cores
@@ -86,6 +87,7 @@ class Limit:
         return float(np.sqrt(np.interp(effort**2, efforts, squares)))
 
 
+@takes(scenario=SCENARIO, weights=POSITIVES | NOTHING, bench=BENCH, progress=PROGRESS, threads=count(1) | NOTHING)
 def limits(
     scenario: Scenario,
     weights: Sequence[float] | None = None,
@@ -98,6 +100,9 @@ def limits(
     return tuple(limit(scenario, of, weights, bench, _part(progress, i, len(names)), threads) for i, of in enumerate(names))
 
 
+@takes(
+    scenario=SCENARIO, of=TEXT | NOTHING, weights=POSITIVES | NOTHING, bench=BENCH, progress=PROGRESS, threads=count(1) | NOTHING
+)
 def limit(
     scenario: Scenario,
     of: str | None = None,

@@ -6,6 +6,7 @@ from dataclasses import dataclass
 
 from dampen.analysis.limit.curve import Limit
 from dampen.analysis.limit.measure import effort, experiment, measured
+from dampen.arguments import RESULT, of_class, takes
 from dampen.component import ArgumentError
 from dampen.simulation.result import Result
 
@@ -32,6 +33,7 @@ class Standing:
     below: bool
 
 
+@takes(limit=of_class("Limit"), result=RESULT)
 def standing(limit: Limit, result: Result) -> Standing:
     """Where a run lies against a limit of the same experiment, under whatever controller.
 

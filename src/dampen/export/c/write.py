@@ -9,6 +9,7 @@ from typing import Any
 
 import numpy as np
 
+from dampen.arguments import NOTHING, PATH, SCENARIO, TRUTH, of_class, takes
 from dampen.component import ArgumentError
 from dampen.export.c.blueprint import Blueprint, Guards, blueprint, compensation
 from dampen.export.c.footprint import Footprint, footprint
@@ -37,12 +38,13 @@ class Export:
     bound: Array
 
 
-def export_c(scenario: Scenario, folder: Path, single: bool = False, guards: Guards | None = None) -> Export:
+@takes(scenario=SCENARIO, folder=PATH, single=TRUTH, guards=of_class("Guards") | NOTHING)
+def export_c(scenario: Scenario, folder: str | Path, single: bool = False, guards: Guards | None = None) -> Export:
     """Write the scenario's sampled controller in C99 to a folder; single: in float.
 
     Raises ArgumentError for what cannot be exported, and where the folder cannot be written.
     """
-    bench = Bench(scenario)
+    folder, bench = Path(folder), Bench(scenario)
     blue = blueprint(scenario, single, guards, bench)
     source = source_of(blue)
     trials = list(record(scenario, bench, 2))

@@ -12,6 +12,7 @@ from io import BytesIO
 from pathlib import Path
 from typing import Literal, get_args
 
+from dampen.arguments import NOTHING, PATH, SCENARIO, TEXT, TRUTH, of_class, takes
 from dampen.component import ArgumentError, wrong
 from dampen.export.c.blueprint import Guards, blueprint
 from dampen.export.c.source import Source, source_of
@@ -39,7 +40,10 @@ class Unit:
     timing: str
 
 
-def export_fmu(scenario: Scenario, file: Path, what: What = "loop", guards: Guards | None = None, build: bool = True) -> Unit:
+@takes(scenario=SCENARIO, file=PATH, guards=of_class("Guards") | NOTHING, build=TRUTH, what=TEXT)
+def export_fmu(
+    scenario: Scenario, file: str | Path, what: What = "loop", guards: Guards | None = None, build: bool = True
+) -> Unit:
     """Write the scenario's plant, its sampled controller, or both in closed loop as a unit for co-simulation by FMI 2.0.
 
     what:   "plant": drives in, readings out;  "controller": readings in, drives out;  "loop": both, nothing left to connect.
@@ -50,6 +54,7 @@ def export_fmu(scenario: Scenario, file: Path, what: What = "loop", guards: Guar
     """
     if what not in get_args(What):
         raise wrong("what", "be plant, controller or loop", what)
+    file = Path(file)
     if file.suffix != ".fmu":
         raise ArgumentError(f"Output file `{file}` must end in .fmu.")
     if not file.absolute().parent.is_dir():

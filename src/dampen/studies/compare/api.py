@@ -8,6 +8,7 @@ from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
+from dampen.arguments import CONTENDERS, ENGINE, FOLDER, PATH, PROGRESS, SCENARIO, TEXT, TEXTS, count, takes
 from dampen.component import ArgumentError, wrong
 from dampen.release import version
 from dampen.scenarios.results import load
@@ -28,6 +29,18 @@ Progress = Callable[[str, int, int], None]
 DEFINITION = "compare.toml"
 
 
+@takes(
+    scenario=SCENARIO,
+    objective=TEXT,
+    as_given=TEXTS,
+    folder=FOLDER,
+    engine=ENGINE,
+    progress=PROGRESS,
+    contenders=CONTENDERS,
+    budget=count(),
+    searches=count(1, 1000),
+    seed=count(),
+)
 def compare(
     scenario: Scenario,
     contenders: Sequence[Given] | None = None,
@@ -65,6 +78,7 @@ def compare(
     return plan.run(None if folder is None else Path(folder), engine_of(engine), progress)
 
 
+@takes(folder=PATH)
 def open_comparison(folder: str | Path) -> Comparison:
     """The comparison that a folder holds, with its runs. Raises ArgumentError for any other folder."""
     folder = Path(folder)
