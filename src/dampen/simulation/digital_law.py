@@ -42,7 +42,7 @@ def port_law(sample, state, parameters, command):
         elif switching == LAYER:
             command[p] = smooth - damping * rate - coulomb * min(max(rate / layer, -1.0), 1.0)
         else:
-            command[p] = smooth - damping * rate - coulomb * ((rate > 0.0) - (rate < 0.0))
+            command[p] = smooth - damping * rate - (coulomb * (rate > 0.0) - coulomb * (rate < 0.0))
 
 
 def implicit(smooth, rate, damping, coulomb, compliance):
