@@ -31,6 +31,7 @@ from dampen import (
     Saturation,
 )
 from dampen.analysis.energy import energy_account
+from dampen.controllers.inner_loop import AssumedBacklash, FlankInverse
 from dampen.scenarios.kinds import KINDS
 from dampen.scenarios.read import build, parse
 from dampen.simulation import closure
@@ -71,6 +72,12 @@ INVERSES: list[Stage] = [
 ]
 STAGES = INSTANTANEOUS + DYNAMIC + INVERSES
 SHIPPED: tuple[Any, ...] = KINDS["actuator"] + KINDS["compensation"]
+
+
+def number(low: float, high: float) -> st.SearchStrategy[float]:
+    """A number that a scenario may have: none between 0 and 1e-50 in size."""
+    return st.floats(low, high).map(lambda value: value if abs(value) >= 1e-50 else 0.0)
+
 
 commands = st.lists(st.floats(-5, 5), min_size=2, max_size=30)
 each_stage = pytest.mark.parametrize("stage", STAGES, ids=repr)
@@ -237,14 +244,20 @@ def test_the_major_loop_is_symmetric(stage: Stage) -> None:
     np.testing.assert_allclose(out[201:401], -out[401:601], rtol=0, atol=1e-13)
 
 
-@given(u=commands, beta=st.floats(1e-3, 3), gamma=st.floats(-0.99, 3), exponent=st.sampled_from([1, 2]))
+@given(u=commands, beta=st.floats(1e-3, 3), gamma=number(-0.99, 3), exponent=st.sampled_from([1, 2]))
 def test_bouc_wen_never_leaves_its_bound(u: list[float], beta: float, gamma: float, exponent: Any) -> None:
     stage = BoucWen(beta=beta, gamma=gamma * beta if gamma < 0 else gamma, exponent=exponent)
     _, states = walk(stage, u)
     assert abs(states[0][0]) <= stage.limit * (1 + 1e-14)
 
 
-@given(beta=st.floats(0.1, 3), gamma=st.floats(-0.9, 3), weight=st.floats(-2, 0), exponent=st.sampled_from([1, 2]))
+def test_bouc_wen_s_steepest_place_is_at_zero_where_gamma_is_the_larger() -> None:
+    """z rises by a at zero and by a 2 beta / (beta + gamma) = a / 2 after the turn: -1.2 times the first outweighs the slope."""
+    assert not BoucWen(slope=1.0, hysteresis=-1.2, a=1.0, beta=0.5, gamma=1.5).monotone
+    assert BoucWen(slope=1.0, hysteresis=-0.9, a=1.0, beta=0.5, gamma=1.5).monotone
+
+
+@given(beta=st.floats(0.1, 3), gamma=number(-0.9, 3), weight=number(-2, 0), exponent=st.sampled_from([1, 2]))
 def test_bouc_wen_is_monotone_exactly_where_it_says_so(beta: float, gamma: float, weight: float, exponent: Any) -> None:
     """The steepest z: at z = 0, or just after the turn at the limit. Both are tried with a small step."""
     stage = BoucWen(hysteresis=weight, beta=beta, gamma=gamma * beta if gamma < 0 else gamma, exponent=exponent)
@@ -266,7 +279,7 @@ def test_a_bouc_wen_that_is_not_monotone_may_only_follow_a_held_command() -> Non
 # Lag, rate limit, effectiveness
 
 
-@pytest.mark.parametrize("h", [1e-12, 1e-6, 1e-3, 0.1, 0.5, 0.99, 1.0, 1.5, 10.0, 100.0])
+@pytest.mark.parametrize("h", [1e-12, 1e-6, 1e-3, 0.1, 0.5, 0.99, 1.0, 1.5, 3.0, 3.9, 10.0, 100.0])
 def test_the_lag_s_share_of_a_step_has_no_cancellation(h: float) -> None:
     exact = 1 - (1 - (-Decimal(h)).exp()) / Decimal(h)
     with np.errstate(all="raise"):
@@ -311,6 +324,12 @@ def test_effectiveness_runs_through_its_knots_at_the_steps_middles() -> None:
     assert (Effectiveness((0.0,), (0.3,)).gain, Effectiveness((0.0,), (0.0,)).gain) == (0.3, 1.0)
 
 
+def test_effectiveness_is_on_its_slope_while_it_stays_what_it_was() -> None:
+    assert Effectiveness((0.0, 1.0), (0.5, 0.5)).deviation == (0.0, 0.0)
+    assert Effectiveness((0.0, 1.0), (0.5, 0.4)).deviation == (-math.inf, math.inf)
+    assert Effectiveness((0.0, 1.0), (0.0, 0.4)).deviation == (-math.inf, math.inf)
+
+
 def test_effectiveness_counts_time_through_all_trials() -> None:
     fault = {"tip_w": (Effectiveness((0.0, 0.6, 0.6), (1.0, 1.0, 0.0)),)}
     case = scenario("task.trials=4", "task.trial_duration=0.25", "numerics.modes=10", "numerics.step=0.01", "output.every=1")
@@ -324,7 +343,7 @@ def test_effectiveness_counts_time_through_all_trials() -> None:
 
 
 def play_sums(cls: Any) -> st.SearchStrategy[Any]:
-    plays = st.lists(st.tuples(st.floats(0, 2), st.floats(0.05, 1)), max_size=15)
+    plays = st.lists(st.tuples(number(0, 2), st.floats(0.05, 1)), max_size=15)
     return st.builds(
         lambda linear, plays: {
             "linear": linear,
@@ -336,7 +355,7 @@ def play_sums(cls: Any) -> st.SearchStrategy[Any]:
     ).map(lambda values: (PrandtlIshlinskiiInverse(**values), cls(**values)))
 
 
-gaps = st.fixed_dictionaries({"slope": st.floats(0.2, 3), "right": st.floats(0, 2), "left": st.floats(-2, -0.01)})
+gaps = st.fixed_dictionaries({"slope": st.floats(0.2, 3), "right": number(0, 2), "left": st.floats(-2, -0.01)})
 pairs = st.one_of(
     gaps.map(lambda values: (DeadZoneInverse(**values), DeadZone(**values))),
     gaps.map(lambda values: (BacklashInverse(**values), Backlash(**values))),
@@ -355,6 +374,22 @@ def test_with_wrong_estimates_the_error_is_what_the_estimates_miss(u: list[float
     out = respond([DeadZoneInverse(1.0, 0.1, -0.1), DeadZone(1.0, 0.3, -0.2)], u)
     expected = [max(v - 0.2, 0.0) + min(v + 0.1, 0.0) for v in u]
     np.testing.assert_allclose(out, expected, rtol=0, atol=2e-15)
+
+
+@pytest.mark.parametrize(
+    "stage",
+    [
+        Ideal(), dampen.Absent(), Backlash(0.3, 0.1, -0.2), DeadZone(0.7, 0.4, -0.1), PrandtlIshlinskii(),
+        DeadZoneInverse(0.7, 0.4, -0.1), BacklashInverse(0.3, 0.1, -0.2), PrandtlIshlinskiiInverse(),
+        FlankInverse(AssumedBacklash(0.3, 0.1, -0.2)),
+    ],
+    ids=repr,
+)  # fmt: skip
+def test_how_far_a_stage_says_it_can_be_off_its_slope_is_how_far_it_gets(stage: Stage) -> None:
+    """Over a wide loop, up, down and up again, both ends are reached and not passed."""
+    u = np.concatenate([np.linspace(0, 5, 50), np.linspace(5, -5, 101), np.linspace(-5, 5, 101)])
+    off = np.array(respond(stage, list(u))) - stage.gain * u
+    assert (off.min(), off.max()) == pytest.approx(stage.deviation, abs=1e-12)
 
 
 # Inside the closure

@@ -185,7 +185,8 @@ def test_balanced_truncation_is_off_by_no_more_than_its_bound(dt: float) -> None
     whole = linear_model(experiment(dampen.EulerBernoulliBeam(damping=dampen.Damping(ratio=0.01))), 10, dt=dt)
     small, hankel = balanced(whole, 8)
     omega = np.geomspace(1, 1000, 200)
-    response = [control.StateSpace(m.a, m.b, m.c, m.d, m.dt).frequency_response(omega).complex for m in (whole, small)]
+    points = np.exp(1j * omega * dt) if dt else 1j * omega
+    response = [control.StateSpace(m.a, m.b, m.c, m.d, m.dt)(points) for m in (whole, small)]
     off = np.linalg.svd(np.moveaxis(response[0] - response[1], -1, 0), compute_uv=False).max()
     assert 0 < off <= 2 * hankel[8:].sum() * (1 + 1e-6)
     assert len(small.a) == 8

@@ -72,11 +72,14 @@ def free_folder(folder: Path | None, name: str) -> Path:
 def progress_line(what: str, total: int | None = None, done: int = 0, aside: str = "") -> Iterator[Callable[..., None]]:
     """A progress line; quiet in a pipe. Yields what updates it: `advance`, or `completed`, `total`, `description` and `aside`, a
     word behind the count, where there is one from the beginning."""
+    if not err.is_terminal:  # before 15, rich ends even a disabled line with an empty one
+        yield lambda **news: None
+        return
     from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeRemainingColumn
 
     named, count = TextColumn("{task.description}"), (BarColumn(), MofNCompleteColumn())
     columns = (named, *count, *([TextColumn("{task.fields[aside]}")] if aside else []), TimeRemainingColumn())
-    with Progress(*columns, console=err, transient=True, disable=not err.is_terminal) as bar:
+    with Progress(*columns, console=err, transient=True) as bar:
         task = bar.add_task(what, total=total, completed=done, aside=aside)
         yield lambda **news: bar.update(task, **news)
 
