@@ -95,3 +95,13 @@ def test_from_zero_a_step_to_either_side_begins_with_that_side_s_limit() -> None
         assert barrier.barrier_gradient(y_new, 0.0, barrier.fresh_memo(y_new, LOW, HIGH), LOW, HIGH) == pytest.approx(
             float(log_v(y_new, limit)) / y_new, rel=1e-12
         )
+
+
+def test_a_step_to_zero_leaves_nothing_of_the_other_side_s_logarithm() -> None:
+    for y in (0.1, -0.03, 1e-4, -1e-5):
+        assert barrier.barrier_memo(0.0, y, barrier.fresh_memo(y, LOW, HIGH), LOW, HIGH) == 0.0
+
+
+def test_the_series_of_small_steps_is_atanh_to_the_last_digits() -> None:
+    for z in (1e-9, 3e-4, 9.99e-4):
+        assert log_barrier.atanh_ratio(z * z) == pytest.approx(math.atanh(z) / z, rel=5e-16, abs=0.0)
