@@ -76,7 +76,10 @@ def is_whole(value: object) -> bool:
 
 def is_number(value: object) -> bool:
     """Whether a value is a finite number, of Python's or NumPy's; True and False are none."""
-    return isinstance(value, Real) and not isinstance(value, bool) and isfinite(value)
+    try:
+        return isinstance(value, Real) and not isinstance(value, bool) and isfinite(value)
+    except OverflowError:  # a whole number beyond all that a double holds
+        return False
 
 
 def check_order(lower: str, low: float, upper: str, high: float) -> None:

@@ -7,8 +7,8 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from dampen.arguments import NOTHING, POSITIVE, SCENARIO, TEXTS, TRUTH, count, takes
-from dampen.component import ArgumentError, is_number, wrong
+from dampen.arguments import TRUTH, takes
+from dampen.component import LEAST, MOST, ArgumentError, is_number, wrong
 from dampen.export.balanced import balanced as truncated
 from dampen.export.linear import LinearModel, Source, linear_model
 from dampen.export.names import distinct
@@ -41,18 +41,12 @@ def sample_time(scenario: Scenario, discrete: bool | float) -> float:
         return scenario.numerics.step if discrete else 0.0
     if not (is_number(discrete) and discrete > 0):
         raise wrong("discrete", "be true, false or a time step > 0 s", discrete)
+    if not LEAST <= discrete <= MOST:
+        raise wrong("discrete", f"be a time step from {LEAST:g} to {MOST:g} s", discrete)
     return float(discrete)
 
 
-@takes(
-    scenario=SCENARIO,
-    modes=count(1) | NOTHING,
-    inputs=TEXTS,
-    rates=TRUTH,
-    residual=TRUTH,
-    balanced=count(1) | NOTHING,
-    discrete=TRUTH | POSITIVE,
-)
+@takes(rates=TRUTH, residual=TRUTH)
 def state_space(
     scenario: Scenario,
     modes: int | None = None,
