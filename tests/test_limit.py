@@ -266,7 +266,7 @@ def test_wrong_arguments_are_told_in_one_line() -> None:
     ):
         limit(scenario, "tip_v")
     for weights in ((0.0,), (1.0, math.inf)):
-        with pytest.raises(dampen.ArgumentError, match=r"^Argument `weights` must be finite numbers > 0, but is"):
+        with pytest.raises(dampen.ArgumentError, match=r"^Argument `weights` must be finite numbers > 0, or None, but is"):
             limit(scenario, "w", weights=weights)
     found = limit(scenario, "w", weights=(1e-3,))
     with pytest.raises(dampen.ArgumentError, match=r"^Argument `result` must be a run of the limit's own experiment"):

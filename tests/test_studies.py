@@ -465,7 +465,9 @@ BAD_CALLS: dict[str, Any] = {
     "`samples` must be a whole number >= 1, but is 10.5": lambda s: robust(s, {"plant.tip_mass": "+-30%"}, samples=10.5),
     "`seed` must be a whole number >= 0, but is -1": lambda s: robust(s, {"plant.tip_mass": "+-30%"}, seed=-1),
     "`budget` must be a whole number >= 1, but is 5.5": lambda s: tune(s, GAINS, budget=5.5),
-    "`engine` must be a whole number >= 1, but is 0": lambda s: sweep(s, {"controller.alpha_4": [1.0, 2.0]}, engine=0),
+    "`engine` must be a whole number >= 1, or an Engine, or text, or None, but is 0": lambda s: sweep(
+        s, {"controller.alpha_4": [1.0, 2.0]}, engine=0
+    ),
     "`scenario` must be a Scenario": lambda s: sweep("he2017", {"controller.alpha_4": [1.0, 2.0]}),
 }
 

@@ -60,9 +60,10 @@ def having(name: str, *attributes: str) -> Taken:
     return Taken(lambda v: all(hasattr(v, a) for a in attributes), f"be a {name}")
 
 
-def count(least: int = 0, most: int = 10**9) -> Taken:
+def count(least: int = 0, most: int | None = None) -> Taken:
     """A whole number."""
-    return Taken(lambda v: is_whole(v) and least <= v <= most, f"be a whole number from {least} to {most}")
+    must = f"be a whole number >= {least}" if most is None else f"be a whole number from {least} to {most}"
+    return Taken(lambda v: is_whole(v) and least <= v <= (10**9 if most is None else most), must)
 
 
 def is_whole(value: Any) -> bool:
@@ -87,7 +88,7 @@ TEXTS = Taken(lambda v: _is_sequence(v) and all(map(TEXT.test, v)), "be a list o
 POSITIVE = Taken(lambda v: is_number(v) and LEAST <= v <= MOST, f"be a number from {LEAST:g} to {MOST:g}")
 POSITIVES = Taken(
     lambda v: (_is_sequence(v) or isinstance(v, np.ndarray)) and len(v) > 0 and all(map(POSITIVE.test, v)),
-    "be a list of numbers > 0",
+    "be finite numbers > 0",
 )
 RANGES = TEXTS | Taken(lambda v: isinstance(v, Mapping) and all(isinstance(k, str) for k in v), "be ranges by path")
 SCENARIO, RESULT, STUDY = of_class("Scenario"), of_class("Result"), having("Study", "definition", "table")
@@ -98,4 +99,4 @@ CONTENDERS = NOTHING | Taken(
 BENCH, STORE = of_class("Bench") | NOTHING, of_class("Store") | NOTHING
 PROGRESS = CALLABLE | NOTHING
 FOLDER = PATH | NOTHING
-ENGINE = of_class("Engine") | TEXT | NOTHING | count(1, 10_000)
+ENGINE = count(1) | of_class("Engine") | TEXT | NOTHING

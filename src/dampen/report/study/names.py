@@ -115,7 +115,7 @@ def path_unit(scenario: Scenario, path: str) -> str:
 
 
 def _port_unit(scenario: Scenario, keys: list[str], port: Port) -> str:
-    """The unit of what stands by port's name: its table's meaning has that for forces and that for torques, "[N, N m]"."""
+    """The unit of what stands by port's name: its table has one for forces and one for torques, "N, N m"."""
     if keys[0] == "bounds":
         return port.effort_unit
     try:
@@ -123,8 +123,8 @@ def _port_unit(scenario: Scenario, keys: list[str], port: Port) -> str:
     except ArgumentError:
         return ""
     table = next((p for p in parameters(type(part)) if p.name == keys[-2]), None) if is_dataclass(part) else None
-    pairs = re.findall(r"\[([^\],]+), ([^\],]+)\]", table.doc) if table else []
-    return str(pairs[-1][port.kind == "torque"]) if pairs else ""
+    force, *torque = table.unit.split(", ") if table else [""]
+    return torque[0] if torque and port.kind == "torque" else force
 
 
 def merit_label(name: str, scenario: Scenario) -> str:
