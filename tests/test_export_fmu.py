@@ -20,12 +20,12 @@ import numpy as np
 import pytest
 
 import dampen
+from dampen.archive import whole_file
 from dampen.cli import main
 from dampen.export.c.blueprint import Guards
 from dampen.export.fmu import plant as plants
 from dampen.export.fmu.building import compiler, platform_folder
 from dampen.export.fmu.plant import adjustable
-from dampen.export.fmu.write import write_whole
 from dampen.export.linear import linear_model
 from dampen.plants.assembled import AssembledPort
 from dampen.scenarios.read import read_scenario
@@ -641,18 +641,18 @@ def test_the_compiler_is_what_the_environment_says(monkeypatch: pytest.MonkeyPat
     assert list(tmp_path.iterdir()) == [blank]
 
 
-def test_a_file_is_written_whole_or_not_at_all(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
+def test_a_file_is_written_whole_or_not_at_all(tmp_path: Path) -> None:
     out = tmp_path / "unit.fmu"
-    write_whole(out, b"old")
+    with whole_file(out) as file:
+        file.write(b"old")
 
-    def full(path: Path, data: bytes) -> int:
-        with path.open("wb") as file:
-            file.write(data[:2])
-        raise OSError(28, os.strerror(28))
+    def cut_short() -> None:
+        with whole_file(out) as file:
+            file.write(b"newer"[:2])
+            raise OSError(28, os.strerror(28))
 
-    monkeypatch.setattr(Path, "write_bytes", full)
     with pytest.raises(dampen.ArgumentError, match="cannot be written: No space left"):
-        write_whole(out, b"newer")
+        cut_short()
     assert [file.read_bytes() for file in tmp_path.iterdir()] == [b"old"]
 
 

@@ -11,7 +11,7 @@ from typing import Any, ParamSpec, TypeVar
 
 import numpy as np
 
-from dampen.component import LEAST, MOST, is_number, wrong
+from dampen.component import LEAST, MOST, is_number, is_whole, wrong
 
 P = ParamSpec("P")
 R = TypeVar("R")
@@ -64,11 +64,6 @@ def count(least: int = 0, most: int | None = None) -> Taken:
     """A whole number."""
     must = f"be a whole number >= {least}" if most is None else f"be a whole number from {least} to {most}"
     return Taken(lambda v: is_whole(v) and least <= v <= (10**9 if most is None else most), must)
-
-
-def is_whole(value: Any) -> bool:
-    """Whether this is a whole number, Python's or NumPy's, and no truth value."""
-    return isinstance(value, int | np.integer) and not isinstance(value, bool)
 
 
 def _is_path(value: Any) -> bool:

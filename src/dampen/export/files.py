@@ -9,6 +9,7 @@ from typing import Any, BinaryIO
 
 import numpy as np
 
+from dampen.archive import whole_file
 from dampen.component import ArgumentError
 from dampen.export.linear import LinearModel
 from dampen.release import version
@@ -51,15 +52,8 @@ def write(path: Path, content: Mapping[str, Any]) -> None:
     large = [name for name, value in content.items() if isinstance(value, np.ndarray) and value.nbytes > LARGEST]
     if large and path.suffix == ".mat":
         raise ArgumentError(f"Output file `{path}` cannot hold `{large[0]}`, more than 2 GB; an .npz file can.")
-    part = path.with_name(f"{path.name}.part")  # a file that is there stays whole until the new one is
-    try:
-        with part.open("wb") as file:
-            fill(file, path.suffix, content)
-        part.replace(path)
-    except OSError as error:
-        raise ArgumentError(f"Output file `{path}` cannot be written: {error.strerror or error}.") from None
-    finally:
-        part.unlink(missing_ok=True)
+    with whole_file(path) as file:
+        fill(file, path.suffix, content)
 
 
 def fill(file: BinaryIO, ending: str, content: Mapping[str, Any]) -> None:

@@ -21,6 +21,8 @@ import numpy as np
 import scipy.linalg  # noqa: F401  (loaded first, so that the limit reaches its BLAS too)
 from threadpoolctl import threadpool_limits
 
+from dampen.archive import archive as zipped
+from dampen.archive import whole_file
 from dampen.component import ArgumentError
 from dampen.release import version
 from dampen.scenarios.read import read_scenario
@@ -32,7 +34,6 @@ from dampen.simulation.trials import simulate
 SCHEMA = "dampen-bundle/1"
 MANIFEST, SCENARIO, RESULT = "manifest.json", "scenario.toml", "result.nc"
 OWN = re.compile(r'"([A-Za-z_][\w.]*):[A-Za-z_][\w.]*"')  # "module:name" in a scenario
-MOMENT = (1980, 1, 1, 0, 0, 0)  # what a zip file has for a date where none is meant
 README = """# {title}
 
 Run `{name}` of dampen {version}, as it lay in its folder, with the files that its scenario names.
@@ -83,14 +84,8 @@ def pack(folder: Path, archive: Path) -> Path:
     content["README.md"] = README.format(**words).encode()
     digests = {name: hashlib.sha256(data).hexdigest() for name, data in sorted(content.items())}
     content[MANIFEST] = (json.dumps({"schema": SCHEMA, **made, "files": digests}, indent=1) + "\n").encode()
-    try:
-        with zipfile.ZipFile(archive, "w", zipfile.ZIP_DEFLATED) as out:
-            for name in sorted(content):
-                info = zipfile.ZipInfo(f"{archive.stem}/{name}", MOMENT)
-                info.compress_type, info.external_attr = zipfile.ZIP_DEFLATED, 0o644 << 16
-                out.writestr(info, content[name])
-    except OSError as error:
-        raise ArgumentError(f"Archive `{archive}` cannot be written: {error.strerror or error}.") from None
+    with whole_file(archive, "Archive") as out:
+        out.write(zipped({f"{archive.stem}/{name}": content[name] for name in sorted(content)}))
     return archive
 
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from math import gcd
 from typing import Any
 
@@ -16,6 +16,7 @@ from dampen.export.fmu.plant import Plant
 from dampen.export.fmu.variables import LARGEST, Variable, apart
 from dampen.release import version
 
+UNNAMED = "00000000-0000-0000-0000-000000000000"  # the GUID of nothing
 MARK = b"dampen\x01\n"
 FOLDER = "dampen.export.fmu"
 NONE = "there are no variables of this type"
@@ -72,9 +73,8 @@ def delay_steps(plant: Plant) -> int:
     return round(scenario.sampling.delay / scenario.numerics.step) if scenario.sampled else 0
 
 
-def unit_sources(plant: Plant, source: Source | None, what: str, variables: Sequence[Variable], guid: str) -> dict[str, str]:
-    """The sources by file name."""
-    names = names_of(plant, source, what, variables, guid)
+def unit_sources(source: Source | None, what: str, names: Mapping[str, Any]) -> dict[str, str]:
+    """The sources by file name, UNNAMED where the unit's GUID is to stand."""
     own = ["model.h", "model.c", "fmi2.c", "plant.h"] + (["plant.c"] if what != "controller" else [])
     found = {name: template(name, FOLDER).render(**names) for name in own}
     if source is not None:
@@ -82,15 +82,14 @@ def unit_sources(plant: Plant, source: Source | None, what: str, variables: Sequ
     return found
 
 
-def page(plant: Plant, source: Source | None, what: str, variables: Sequence[Variable]) -> str:
+def page(plant: Plant, what: str, variables: Sequence[Variable], names: Mapping[str, Any]) -> str:
     """The unit's documentation."""
     brief = [v for v in variables if not v.name.startswith(("start.", "field."))]
-    names = names_of(plant, source, what, variables, "")
-    names |= {"timing": timing(plant, what)[1], "variables": brief, "trials": plant.scenario.task.trials}
-    return template("index.html", FOLDER).render(**names)
+    more = {"timing": timing(plant, what)[1], "variables": brief, "trials": plant.scenario.task.trials}
+    return template("index.html", FOLDER).render(**{**names, **more})
 
 
-def names_of(plant: Plant, source: Source | None, what: str, variables: Sequence[Variable], guid: str) -> dict[str, Any]:
+def names_of(plant: Plant, source: Source | None, what: str, variables: Sequence[Variable]) -> dict[str, Any]:
     """What the templates are filled with."""
     scenario, bench = plant.scenario, plant.bench
     delay = delay_steps(plant)
@@ -147,7 +146,7 @@ def names_of(plant: Plant, source: Source | None, what: str, variables: Sequence
         "functions": text,
         "reals": [{"at": v.at, "kind": v.kind, "ends": f"{edge(v.least)}, {edge(v.most)}"} for v in variables if not v.whole],
         "integers": [{"at": v.at, "kind": v.kind} for v in variables if v.whole],
-        "guid": guid,
+        "guid": UNNAMED,
         "absent": ABSENT,
         "statuses": STATUSES,
     }

@@ -4,14 +4,13 @@ from __future__ import annotations
 
 import re
 import uuid
-import zipfile
-from collections.abc import Mapping, Sequence
-from contextlib import suppress
+from collections.abc import Sequence
 from dataclasses import dataclass
-from io import BytesIO
+from hashlib import sha256
 from pathlib import Path
 from typing import Literal, get_args
 
+from dampen.archive import archive, whole_file
 from dampen.arguments import NOTHING, PATH, SCENARIO, TEXT, TRUTH, of_class, takes
 from dampen.component import ArgumentError, wrong
 from dampen.export.c.blueprint import Guards, blueprint
@@ -19,14 +18,13 @@ from dampen.export.c.source import Source, source_of
 from dampen.export.fmu.building import library, library_ending, platform_folder
 from dampen.export.fmu.description import model_description
 from dampen.export.fmu.plant import Plant
-from dampen.export.fmu.source import MARK, page, timing, unit_sources
+from dampen.export.fmu.source import MARK, UNNAMED, names_of, page, timing, unit_sources
 from dampen.export.fmu.variables import Variable, variables_of
 from dampen.simulation.bench import Bench
 from dampen.simulation.scenario import Scenario
 from dampen.toml import to_toml
 
 What = Literal["plant", "controller", "loop"]
-BEGINNING = (1980, 1, 1, 0, 0, 0)  # of time, in a zip file: the same unit is the same file
 
 
 @dataclass(frozen=True)
@@ -66,20 +64,9 @@ def export_fmu(
     identifier = re.sub(r"\W", "_", f"{scenario.name}_{what}", flags=re.ASCII)
     identifier = identifier if identifier[0].isalpha() else f"dampen_{identifier}"
     content, built, step, told = unit_files(plant, source, what, identifier, variables, build)
-    write_whole(file, archive(content))
+    with whole_file(file) as out:
+        out.write(archive(content))
     return Unit(file, variables, built, step, told)
-
-
-def write_whole(file: Path, data: bytes) -> None:
-    """All of a file or nothing: what was there before stays until the new one is complete."""
-    part = file.with_name(f".{file.name}.part")
-    try:
-        part.write_bytes(data)
-        part.replace(file)
-    except OSError as error:
-        with suppress(OSError):
-            part.unlink(missing_ok=True)
-        raise ArgumentError(f"Output file `{file}` cannot be written: {error.strerror or error}.") from None
 
 
 def unit_files(
@@ -89,15 +76,16 @@ def unit_files(
     scenario = plant.scenario
     step, told = timing(plant, what)
     tables = b"".join(table.tobytes() for table in plant.tables.values()) if what != "controller" else b""
-    draft = unit_sources(plant, source, what, variables, "")
-    guid = str(uuid.uuid5(uuid.NAMESPACE_URL, "\n".join([what, *draft.values()]) + str(hash_of(tables))))
-    sources = unit_sources(plant, source, what, variables, guid)
+    names = names_of(plant, source, what, variables)
+    unnamed = unit_sources(source, what, names)
+    guid = str(uuid.uuid5(uuid.NAMESPACE_URL, "\n".join([what, *unnamed.values()]) + sha256(tables).hexdigest()))
+    sources = {name: text.replace(UNNAMED, guid) for name, text in unnamed.items()}
     listed = sorted(name for name in sources if name.endswith(".c"))
     title = f"{scenario.title or scenario.name}: {what}. {told}"
     stop = scenario.steps * scenario.numerics.step * scenario.task.trials
     xml = model_description(identifier, identifier, guid, title, variables, listed, step, stop)
     content = {"modelDescription.xml": xml, "resources/scenario.toml": to_toml(scenario).encode()}
-    content["documentation/index.html"] = page(plant, source, what, variables).encode()
+    content["documentation/index.html"] = page(plant, what, variables, names).encode()
     content |= {f"sources/{name}": text.encode() for name, text in sources.items()}
     if tables:
         content["resources/tables.bin"] = MARK + tables
@@ -105,21 +93,3 @@ def unit_files(
     if binary is not None:
         content[f"binaries/{platform_folder()}/{identifier}{library_ending()}"] = binary
     return content, binary is not None, step, told
-
-
-def hash_of(data: bytes) -> str:
-    """A digest of bytes."""
-    from hashlib import sha256
-
-    return sha256(data).hexdigest()
-
-
-def archive(content: Mapping[str, bytes]) -> bytes:
-    """A zip file, the same for the same content."""
-    packed = BytesIO()
-    with zipfile.ZipFile(packed, "w", zipfile.ZIP_DEFLATED) as out:
-        for name, data in content.items():
-            info = zipfile.ZipInfo(name, BEGINNING)
-            info.compress_type, info.external_attr = zipfile.ZIP_DEFLATED, 0o644 << 16
-            out.writestr(info, data)
-    return packed.getvalue()
