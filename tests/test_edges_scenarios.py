@@ -20,7 +20,7 @@ from dampen.toml import to_toml
 from tests.generated import Generator
 
 FILES = int(os.environ.get("DAMPEN_FUZZ_SCENARIOS", "300"))  # a release is held against 20,000
-SECONDS = 30.0  # in plain Python, which is what runs here: slower than compiled
+SECONDS = 10.0  # of processor time, in plain Python: some hundred times slower than compiled
 CLEAR = re.compile(r"(Argument|Option|Scenario|An? |This |`|[\w.]+:).{5,600}", re.DOTALL)
 
 
@@ -69,7 +69,7 @@ def test_generated_scenarios_run_or_are_refused_in_words(tmp_path: Path, monkeyp
         what, content = Generator(seed).file()
         path = home / "scenario.toml"
         path.write_bytes(content)
-        begun = time.monotonic()
+        begun = time.process_time()
         with warnings.catch_warnings():
             warnings.simplefilter("error")
             try:
@@ -77,7 +77,7 @@ def test_generated_scenarios_run_or_are_refused_in_words(tmp_path: Path, monkeyp
             except BaseException as error:
                 error.add_note(f"scenario file of seed {seed}, {what}: {content[:3000]!r}")
                 raise
-        assert time.monotonic() - begun < SECONDS, (seed, time.monotonic() - begun)
+        assert time.process_time() - begun < SECONDS, (seed, time.process_time() - begun)
         counts[what, end] = counts.get((what, end), 0) + 1
     assert [p.name for p in tmp_path.rglob("*")] == ["home", "scenario.toml"]
     valid = {end: n for (what, end), n in counts.items() if what == "valid"}

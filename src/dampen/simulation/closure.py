@@ -25,7 +25,7 @@ SOFTNESS = 1.0
 RELAXATION = 0.05
 TOLERANCE = 1e-12
 ITERATIONS = 200
-GAPLESS = 1e-17  # a bracket this narrow, against what it began with, has closed on a jump
+GAPLESS = 1e-17  # a bracket of commands this narrow, against what the force takes, has closed on a jump
 NOTHING = 1e-20  # a force this small, against the one that would hold, is zero: a flat actuator's root may be zero itself
 LEAST = 1e-12
 UNMOVED = 1e-9  # of the way to the limit: a barrier that moves by less is where it was
@@ -73,8 +73,9 @@ def port_force(port, stages, v_free, g, dt):
         settle(port, hold, command_for(port, hold, port.middle, middle, edge, output, stages), 0.0, 0.0)
         return
 
-    slip, slip_r = hold, output - hold
-    x, over, over_r = output, output, 0.0
+    # Along the bracket r falls from the slip's end to the end over it; each end keeps its force, command, output and r.
+    slip, slip_u, slip_out, slip_r = hold, edge, output, output - hold
+    x, over, over_u, over_out, over_r = output, output, port.middle, middle, 0.0
     nothing = NOTHING * abs(hold)
     for iteration in range(ITERATIONS):
         command = slip_command(port, sign, w + h * x, v_free + g * x, dt)
@@ -84,17 +85,18 @@ def port_force(port, stages, v_free, g, dt):
             settle(port, output, command, w + h * output, (over - slip) / (over_r - slip_r))
             return
         if (r > 0) == (slip_r > 0):
-            slip, slip_r = x, r
+            slip, slip_u, slip_out, slip_r = x, command, output, r
         else:
-            over, over_r = x, r
+            over, over_u, over_out, over_r = x, command, output, r
         if iteration < 8 and over_r != 0.0:
             x = slip - slip_r * (over - slip) / (over_r - slip_r)
         if iteration >= 8 or over_r == 0.0 or x == slip or x == over:
             x = 0.5 * (slip + over)
             if x == slip or x == over:
                 break
-    # The barrier is so stiff that rounding of y_new decides the command: keep the force, take the command that delivers it.
-    command = command_for(port, x, command, output, edge, through(port, edge, stages), stages)
+    # The bracket has closed on a jump, of an actuator or of a barrier so stiff that rounding of y_new decides the command.
+    # Keep the force, and take the command that delivers it from between those of the two ends.
+    command = command_for(port, x, slip_u, slip_out, over_u, over_out, stages)
     settle(port, x, command, w + h * x, -LEAST)
 
 
@@ -188,6 +190,7 @@ def command_for(port, target, near, near_output, far, far_output, stages):
     target it is the command at the jump: there the port delivers what lies in between, as under a command that chatters.
     """
     scale = abs(target) + abs(far_output) + port.feedthrough * (abs(near) + abs(far))
+    closed = GAPLESS * scale * port.per_feedthrough
     low, high = min(near, far), max(near, far)
     guess = far - (far_output - target) / port.feedthrough
     for iteration in range(ITERATIONS):
@@ -198,7 +201,7 @@ def command_for(port, target, near, near_output, far, far_output, stages):
             low = max(low, guess)
         else:
             high = min(high, guess)
-        if iteration > 1 and high - low <= GAPLESS * (abs(near) + abs(far)):
+        if iteration > 1 and high - low <= closed:
             break
         guess = near - (near_output - target) / port.feedthrough if iteration == 0 else 0.5 * (low + high)
     return guess
