@@ -253,6 +253,22 @@ def test_without_a_budget_everybody_is_as_given_and_the_table_says_so(tmp_path: 
     assert not any(c.tuned for c in found.contenders)
 
 
+def test_settings_change_the_experiment_of_contenders_named_by_scenario_too_but_not_their_law(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    settings = ["numerics.modes=8", "task.trials=2", "controller.alpha_4=3", "numerics.step=0.01"]
+    command = ["compare", "he2017", "he2017-tuned", "--budget", "0", "--no-report", "--out", str(tmp_path / "c")]
+    monkeypatch.setattr(sys, "argv", ["dampen", *command, *(word for one in settings for word in ("--set", one))])
+    with pytest.raises(SystemExit) as left:
+        main()
+    assert left.value.code == 0
+    own, other = (result.scenario for result in open_comparison(tmp_path / "c").results.values())
+    tuned = dampen.read_scenario("he2017-tuned").controller
+    assert (own.controller, other.controller) == (replace(dampen.read_scenario("he2017").controller, alpha_4=3.0), tuned)
+    assert (other.task, other.numerics) == (own.task, own.numerics)
+    assert (other.task.trials, other.numerics.modes) == (2, 8)
+
+
 def test_contenders_that_cannot_be_run_are_left_out_with_the_reason() -> None:
     plan = Plan(dampen.read_scenario("string-tip-mass", SHORT), None, 0, "residual", 0, ())
     assert {e.label for e in plan.entries} == {

@@ -45,6 +45,8 @@ def test_the_shipped_scenario_is_table_1_and_section_5() -> None:
 
 BAD = {
     "plant.tip_mas=1": "Argument `plant.tip_mas` is not known; did you mean `tip_mass`?",
+    "alpha_4=1": "Argument `alpha_4` is not known; did you mean `controller.alpha_4`?",
+    "plant.modes=9": "Argument `plant.modes` is not known; did you mean `numerics.modes`?",
     "controler.kind=none": "Argument `controler` is not known; did you mean `controller`?",
     "plant.tip_mass=heavy": "Argument `plant.tip_mass` must be a number in kg, but is 'heavy'.",
     "plant.tip_mass=-0.1": "Argument `plant.tip_mass` must be >= 0 kg, but is -0.1.",

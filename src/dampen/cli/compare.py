@@ -23,6 +23,9 @@ from dampen.cli.terminal import (
 )
 
 if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+    from dampen.simulation.scenario import Scenario
     from dampen.studies.compare.comparison import Comparison
 
 HELP = (
@@ -33,8 +36,8 @@ HELP = (
     "  dampen compare he2017 he2017 --as-given he2017    # the law as published, beside the law tuned\n\n"
     'WITH is a kind of controller (see `dampen list controller`; "module:Class" for your own), whose gains are searched from the '
     "middle of the ranges that it says, or another scenario of the same experiment, of which the controller is taken, and its "
-    "sampling. Left out: all shipped kinds that can be run here.\n\nExit status: 0 when all contenders are there; 2 for bad "
-    "input; 3 when it was interrupted: the same command with the same --out goes on with it."
+    "sampling; what `--set` changes of the experiment is changed for it too. Left out: all shipped kinds that can be run here."
+    "\n\nExit status: 0 when all contenders are there; 2 for bad input; 3 when it was interrupted: the same command with the same --out goes on with it."
 )
 
 
@@ -64,7 +67,8 @@ def compare(
     case = read_scenario(scenario, set_ or ())
     try:
         with working("Trying the contenders"):
-            plan = Plan(case, with_ or None, budget, objective, seed, as_given or (), searches)
+            contenders = [contender(name, set_ or ()) for name in with_ or ()]
+            plan = Plan(case, contenders or None, budget, objective, seed, as_given or (), searches)
     except KeyboardInterrupt:
         err.print("Interrupted: nothing is written.", markup=False)
         raise typer.Exit(BROKE_OFF) from None
@@ -85,6 +89,15 @@ def compare(
             f"`--out {folder}` goes on.", markup=False,
         )  # fmt: skip
         raise typer.Exit(BROKE_OFF)
+
+
+def contender(name: str, settings: Sequence[str]) -> str | Scenario:
+    """A contender; one named by its scenario is set as the experiment is, but for what is its own: controller and sampling."""
+    from dampen.scenarios.read import read_scenario, shipped
+
+    if name not in shipped() and not name.endswith(".toml"):
+        return name
+    return read_scenario(name, [s for s in settings if not s.strip().startswith(("controller.", "sampling."))])
 
 
 def show(found: Comparison, folder: Path, report: bool) -> None:

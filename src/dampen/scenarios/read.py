@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 import tomllib
 from collections.abc import Callable, Mapping, Sequence
+from contextlib import suppress
 from dataclasses import fields
 from importlib import resources
 from pathlib import Path
@@ -168,6 +169,7 @@ class Builder:
 
     def __init__(self, folder: Path):
         self.folder = folder
+        self.table: Mapping[str, Any] = {}  # of the scenario that is built
 
     def kind(self, table: str, kind: object, where: str) -> type[Component]:
         """The class that a `kind` names."""
@@ -193,9 +195,8 @@ class Builder:
             except ArgumentError as error:
                 faults.extend(error.lines)
 
-        for key in table:
-            if key not in TOP:
-                faults.append(f"Argument `{key}` is not known{suggestion(key, TOP)}")
+        self.table = table
+        faults += [f"Argument `{key}` is not known{self.suggestion(key, TOP)}" for key in table if key not in TOP]
         if "plant" not in table:
             faults.append("Argument `plant` must be given: a table with a `kind`.")
         parts: dict[str, Any] = {key: table[key] for key in ("name", "title", "claims") if key in table}
@@ -212,6 +213,17 @@ class Builder:
             raise ArgumentError(faults)
         return Scenario(**parts)
 
+    def suggestion(self, word: str, known: Sequence[str]) -> str:
+        """'; did you mean `x`?': a table of this scenario that has this very parameter, else a word that is near or all known."""
+        for name in ("disturbance", "plant", "controller", *TABLES):
+            cls, values = TABLES.get(name), self.table.get(name)
+            if cls is None and isinstance(values, dict) and "kind" in values:
+                with suppress(ArgumentError):
+                    cls = self.kind(name, values["kind"], name)
+            if cls and word in (f.name for f in fields(cls)):
+                return f"; did you mean `{name}.{word}`?"
+        return suggestion(word, known)
+
     def of_kind(self, table: str, values: Any, where: str) -> Any:
         """A component of the class that `kind` names."""
         values = _mapping(values, where)
@@ -225,7 +237,7 @@ class Builder:
         """A component from its table; inner tables become inner components."""
         values, hints = _mapping(values, where), hints_of(cls)
         names = [f.name for f in fields(cls)]
-        faults = [f"Argument `{where}.{key}` is not known{suggestion(key, names)}" for key in values if key not in names]
+        faults = [f"Argument `{where}.{key}` is not known{self.suggestion(key, names)}" for key in values if key not in names]
         missing = [p for p in parameters(cls) if p.required and p.name not in values]
         faults += [f"Argument `{where}.{p.name}` must be given{f': {p.doc}' if p.doc else ''}." for p in missing]
         ready = {}
