@@ -37,7 +37,8 @@ HELP = (
     'WITH is a kind of controller (see `dampen list controller`; "module:Class" for your own), whose gains are searched from the '
     "middle of the ranges that it says, or another scenario of the same experiment, of which the controller is taken, and its "
     "sampling; what `--set` changes of the experiment is changed for it too. Left out: all shipped kinds that can be run here."
-    "\n\nExit status: 0 when all contenders are there; 2 for bad input; 3 when it was interrupted: the same command with the same --out goes on with it."
+    "\n\nExit status: 0 when all contenders are there; 2 for bad input; 3 when it was interrupted: the same command with the "
+    "same --out goes on with it."
 )
 
 
