@@ -184,6 +184,7 @@ def test_files_that_are_no_results_are_refused(tmp_path: Path) -> None:
     [
         (["run", "he2018"], "did you mean `he2017`?"),
         (["run", "missing.toml"], "cannot be read: No such file"),
+        (["run", "."], "must be a file, but is a folder."),
         (["run", "broken.toml"], "at line 1, column"),
         (["run", "he2017", "--set", "task.trials"], "--set"),
         (["run", "he2017", "--out", "/dev/null/x"], "cannot be written"),

@@ -30,6 +30,7 @@ from sphinx.util.docutils import SphinxDirective
 
 LOG = logging.getLogger(__name__)
 LIMIT = 300  # s
+WIDTH = 92  # characters that a page shows without being pushed aside
 
 
 def part(text: str, lines: str) -> str:
@@ -74,7 +75,7 @@ class Shell(SphinxDirective):
         return [*shown, nodes.literal_block(wanted, wanted, language="text", classes=["output"])] if wanted else shown
 
     def _output(self, commands: str) -> str:
-        plain = {"COLUMNS": "110", "NO_COLOR": "1", "TERM": "dumb", "LC_ALL": "C.UTF-8", "PAGER": "cat"}
+        plain = {"COLUMNS": str(WIDTH), "NO_COLOR": "1", "TERM": "dumb", "LC_ALL": "C.UTF-8", "PAGER": "cat"}
         began = time.perf_counter()
         done = subprocess.run(
             ["bash", "-euo", "pipefail", "-c", commands],

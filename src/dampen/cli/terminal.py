@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import itertools
+import os
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
 from pathlib import Path
@@ -97,7 +98,8 @@ def working(what: str) -> Iterator[None]:
 def show_table(
     headings: Sequence[str], rows: Sequence[Sequence[Any]], numbers: Sequence[str] = (), kept: Sequence[str] = ()
 ) -> None:
-    """A table; columns in `numbers` are set to the right, those in `kept` are not broken over lines."""
+    """A table; columns in `numbers` are set to the right, those in `kept` are not broken over lines. In a pipe it is 140 wide,
+    or what COLUMNS says."""
     from rich import box
     from rich.table import Table
 
@@ -107,4 +109,4 @@ def show_table(
         table.add_column(heading, justify="right" if heading in numbers else "left", overflow="fold", no_wrap=whole)
     for row in rows:
         table.add_row(*row)
-    Terminal(highlight=False, width=None if out.is_terminal else 140).print(table)
+    Terminal(highlight=False, width=None if out.is_terminal or "COLUMNS" in os.environ else 140).print(table)

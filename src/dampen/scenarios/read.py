@@ -83,6 +83,9 @@ def source_text(source: str | Path) -> str:
     try:
         if not path.exists() and path.suffix != ".toml" and len(path.parts) == 1:
             raise ArgumentError(f"Scenario `{source}` is neither a shipped scenario nor a file{suggestion(str(source), known)}")
+        if path.is_dir():
+            inside = f": did you mean `{path / 'scenario.toml'}`?" if (path / "scenario.toml").is_file() else "."
+            raise ArgumentError(f"Scenario `{source}` must be a file, but is a folder{inside}")
         with path.open("rb") as file:
             content = file.read(LARGEST + 1)  # a device may have no end
         if len(content) > LARGEST:
