@@ -11,8 +11,8 @@ import pytest
 
 VALIDATION = Path(__file__).parents[1] / "docs" / "validation"
 NAMES = (
-    "frequencies", "timoshenko_to_euler_bernoulli", "decay_rates", "energy", "order_in_the_step", "sticking", "play",
-    "p_type_recursion", "batches", "limit", "sampled_to_continuous", "exported_c", "cosimulation_unit",
+    "frequencies", "timoshenko_to_euler_bernoulli", "decay_rates", "energy", "order_in_the_step", "other_units", "sticking",
+    "play", "p_type_recursion", "batches", "limit", "sampled_to_continuous", "exported_c", "cosimulation_unit",
 )  # fmt: skip
 
 

@@ -150,4 +150,29 @@ def play() -> Evidence:
     )
 
 
-ALL = (energy, order_in_the_step, sticking, play)
+def other_units() -> Evidence:
+    """The paper's experiment in other units of length, mass and time: the same run, but for the factor of each unit."""
+    from tests.other_units import Units, difference, in_units
+
+    short = ["task.trials=2", "task.trial_duration=0.5"]
+    powers = np.array([-20, -13, -7, -2, 2, 7, 13, 20])
+    figure, (axes,) = canvas()
+    numbers = []
+    for law, changes, mark, most in (
+        ("without control", ["controller={kind='none'}"], "s", 1e-12),
+        ("with the law", [], "o", 1e-6),
+    ):
+        scenario = dampen.read_scenario("he2017", [*short, *changes])
+        run = dampen.simulate(scenario)
+        off = []
+        for power in map(float, powers):
+            units = Units(2.0**power, 2.0 ** round(2.5 * power), 2.0 ** round(0.6 * power))
+            off.append(difference(run, dampen.simulate(in_units(scenario, units)), units))
+        axes.loglog(2.0**powers, np.maximum(off, 1e-17), mark, ms=4, label=law)
+        numbers.append(at_most(f"{law}, largest relative difference", max(off), most))
+    axes.set(xlabel="the beam's length, in the unit of the file", ylabel="apart by, of the largest", ylim=(5e-18, 1e-8))
+    axes.legend()
+    return Evidence(tuple(numbers), figure)
+
+
+ALL = (energy, order_in_the_step, other_units, sticking, play)
