@@ -2,18 +2,21 @@
 
 from __future__ import annotations
 
+import errno
 import os
 import shutil
 import sys
 from collections import namedtuple
 from pathlib import Path
 
+import numba
 import numpy as np
 import pytest
+from numba.core import caching
 
 import dampen
 from dampen.cli.run import output_folder
-from dampen.simulation import cost
+from dampen.simulation import compiled, cost
 from dampen.simulation.bench import Bench
 from dampen.simulation.stores import FileStore
 from tests.conftest import scenario
@@ -107,3 +110,50 @@ def test_a_reader_that_goes_away_and_a_full_disk_behind_the_output(tmp_path: Pat
     assert done.returncode == 3
     assert done.stderr.startswith("The system refuses")
     assert len(done.stderr.splitlines()) == 1
+
+
+def half(x):
+    """A function to compile."""
+    return 0.5 * x
+
+
+@pytest.fixture
+def places(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+    """Compiled code is kept here, and nothing of it in memory."""
+    monkeypatch.setattr(numba.config, "CACHE_DIR", str(tmp_path))
+    monkeypatch.setattr(compiled, "_COMPILED", {})
+    return tmp_path
+
+
+def test_a_full_disk_under_the_compiled_code_means_to_compile_again(places: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    def full(*_: object) -> None:
+        raise OSError(errno.ENOSPC, "No space left on device")
+
+    monkeypatch.setattr(caching.IndexDataCacheFile, "_save_data", full)
+    function = compiled.compiled(half)
+    assert not compiled.is_cached(function)
+    assert function(3.0) == 1.5
+
+
+@pytest.mark.parametrize("suffix", ["nbi", "nbc"])
+def test_damaged_compiled_code_is_made_anew(suffix: str, places: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    assert compiled.compiled(half)(3.0) == 1.5
+    (file,) = places.rglob(f"*.{suffix}")
+    whole = file.read_bytes()
+    file.write_bytes(whole[:-5])
+    for _ in range(2):  # made anew, then found
+        monkeypatch.setattr(compiled, "_COMPILED", {})
+        assert compiled.compiled(half)(3.0) == 1.5
+    assert compiled.is_cached(compiled.compiled(half))
+    assert len(file.read_bytes()) == len(whole)
+
+
+def test_a_home_and_a_package_that_cannot_be_written(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    def nowhere(*_: object) -> None:
+        raise RuntimeError("cannot cache function: no locator available")
+
+    monkeypatch.setattr(compiled, "_COMPILED", {})
+    monkeypatch.setattr(caching.FunctionCache, "__init__", nowhere)
+    function = compiled.compiled(half)
+    assert not compiled.is_cached(function)
+    assert function(3.0) == 1.5

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import hashlib
 from collections.abc import Callable, Iterator
+from contextlib import suppress
 from types import CodeType, FunctionType
 from typing import Any
 
@@ -49,8 +50,9 @@ def standalone(function: Callable[..., Any]) -> Callable[..., Any]:
 
 def is_cached(dispatcher: Any) -> bool:
     """Whether an earlier process has left this compiled function on disk."""
-    file = getattr(getattr(dispatcher, "_cache", None), "_cache_file", None)
-    return file is not None and bool(file._load_index())
+    with suppress(Exception):
+        return bool(dispatcher._cache._cache_file._load_index())
+    return False
 
 
 def reassociated(function: Callable[..., Any]) -> Callable[..., Any]:
@@ -117,13 +119,24 @@ def _key(function: FunctionType) -> str:
 
 
 def _cache_under(dispatcher: Any, key: str) -> None:
-    """Cache the compiled code on disk; without a writable place for it, compile anew in every process."""
+    """Cache the compiled code on disk; a place for it that is missing, full or damaged means to compile anew in every process."""
     from numba.core import caching
 
-    try:
-        cache: Any = caching.FunctionCache(dispatcher.py_func)  # type: ignore[no-untyped-call]
+    class Cache(caching.FunctionCache):
+        def load_overload(self, sig: Any, target_context: Any) -> Any:
+            try:
+                return super().load_overload(sig, target_context)  # type: ignore[no-untyped-call]
+            except Exception:  # whatever reading damaged files can end in
+                with suppress(OSError):
+                    self.flush()  # type: ignore[no-untyped-call]
+                return None
+
+        def save_overload(self, sig: Any, data: Any) -> None:
+            with suppress(OSError):
+                super().save_overload(sig, data)  # type: ignore[no-untyped-call]
+
+    with suppress(RuntimeError, OSError, AttributeError):
+        cache: Any = Cache(dispatcher.py_func)  # type: ignore[no-untyped-call]
         base = f"{cache._impl.filename_base}-{key}"
         cache._cache_file = caching.IndexDataCacheFile(cache_path=cache._cache_path, filename_base=base, source_stamp=key)  # type: ignore[no-untyped-call]
         dispatcher._cache = cache
-    except (RuntimeError, OSError, AttributeError):
-        pass
