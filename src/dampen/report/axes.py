@@ -7,6 +7,7 @@ from typing import Any
 
 import numpy as np
 from matplotlib.axes import Axes
+from matplotlib.axis import Axis
 from matplotlib.figure import Figure
 from matplotlib.ticker import FuncFormatter, LogLocator, MaxNLocator, NullFormatter
 from matplotlib.transforms import blended_transform_factory
@@ -40,7 +41,7 @@ def time_axis(axes: Axes, run: Result, trials: int | None = None) -> None:
     trials = trials or run.trials
     width = axes.get_window_extent().width / axes.figure.dpi
     axes.set_xlim(0, duration(run) * trials)
-    axes.set_xlabel("time [s]")
+    label_axis(axes.xaxis, "time", "s")
     axes.xaxis.set_major_locator(MaxNLocator(int(max(3, min(6, 2.5 * width))), steps=[1, 2, 2.5, 5, 10]))
     axes.spines["top"].set_visible(True)
     axes.spines["top"].set_color(FAINT)
@@ -60,17 +61,19 @@ def nice_strides() -> Sequence[int]:
 
 
 def value_axis(axes: Axes, words: str, unit: str, steps: Sequence[float] = (1, 2, 2.5, 5, 10)) -> None:
-    """A linear axis of values, its limits already set, with about five ticks at these multiples of powers of ten.
-
-    Very small or large values are written in thousands(ths) of the unit, so that their ticks stay short.
-    """
+    """A linear axis of values, its limits already set, with about five ticks at these multiples of powers of ten."""
     axes.yaxis.set_major_locator(MaxNLocator(5, steps=steps))
-    reach = float(np.max(np.abs(axes.get_ylim())))
+    label_axis(axes.yaxis, words, unit)
+
+
+def label_axis(axis: Axis, words: str, unit: str) -> None:
+    """Words and unit at a linear axis, its limits already set; in thousands(ths) where its numbers are very small or large."""
+    reach = float(np.max(np.abs(axis.get_view_interval())))
     power = 3 * int(np.floor(np.log10(reach) / 3)) if reach < 0.02 or reach >= 2e4 else 0
     if power:
-        axes.yaxis.set_major_formatter(FuncFormatter(lambda y, _: plain_number(y / 10.0**power)))
+        axis.set_major_formatter(FuncFormatter(lambda number, _: plain_number(number / 10.0**power)))
         unit = f"{ten_to(power)} {unit}"
-    axes.set_ylabel(f"{words} [{unit}]")
+    axis.set_label_text(f"{words} [{unit}]")
 
 
 def log_axis(axes: Axes, label: str, low: float, high: float) -> None:

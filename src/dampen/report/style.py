@@ -148,8 +148,12 @@ def ten_to(power: int) -> str:
 
 
 def plain_number(value: float) -> str:
-    """A parameter as its owner would write it: 0.2, not 0.200."""
-    return f"{value:g}".replace("-", MINUS)
+    """A parameter as its owner would write it: 0.2, not 0.200; a power of ten where it takes one."""
+    mantissa, _, power = f"{value:g}".replace("-", MINUS).partition("e")
+    if not power:
+        return mantissa
+    ten = ten_to(int(power.replace(MINUS, "-")))
+    return ten if mantissa == "1" else f"{mantissa} {TIMES} {ten}"
 
 
 def percent(ratio: float) -> str:

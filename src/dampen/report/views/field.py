@@ -6,7 +6,7 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from dampen.report.axes import panel, sheet, time_axis, value_axis
+from dampen.report.axes import label_axis, panel, sheet, time_axis, value_axis
 from dampen.report.joined import duration, field_columns, largest
 from dampen.report.names import field_unit
 from dampen.report.style import DIVERGING, FAINT, SINGLE, percent, quantity, symbol
@@ -32,7 +32,7 @@ def draw_field(of: str, run: Result, other: Result | None) -> tuple[Figure, str]
     else:
         axes = early = panel(figure, left=0.52, right=BAR, top=0.3)
     _heat_map(axes, of, run, run.trials, limit)
-    early.set_ylabel(f"position {symbol('x')} [m]")
+    label_axis(early.yaxis, f"position {symbol('x')}", "m")
     _colour_bar(figure, limit, symbol(of, "x, t"), unit)
     return figure, _sentence(of, unit, run, other, limit)
 

@@ -9,7 +9,7 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from dampen.report.axes import BOTTOM, LEFT, legend_row, panel, sheet
+from dampen.report.axes import BOTTOM, LEFT, label_axis, legend_row, panel, sheet
 from dampen.report.joined import blocks
 from dampen.report.names import PortNames, port_names
 from dampen.report.style import DOUBLE, INK, LEARNED, MINUS, colour, percent, quantity
@@ -45,9 +45,8 @@ def draw_loop(of: str, run: Result, other: Result | None) -> tuple[Figure, str]:
     beside.axhline(0, color=IDEAL, lw=3, zorder=1)
     whole.set_xlim(*_margins(command))
     whole.set_ylim(*_margins(delivered))
-    for axes in (whole, beside):
-        _axes_words(axes, port)
-    beside.set_ylabel(f"delivered {MINUS} ideal [{port.effort}]", labelpad=1)
+    _axes_words(whole, port)
+    _axes_words(beside, port, f"delivered {MINUS} ideal")
     legend_row(figure, handles + ideal)
     return figure, _sentence(port, run)
 
@@ -90,12 +89,13 @@ def _ideal(axes: Axes, run: Result, index: int, ends: np.ndarray) -> list[Any]:
     return axes.plot(ends, slope * ends, color=IDEAL, lw=3, label=f"ideal, slope {slope:.3g}", zorder=1)
 
 
-def _axes_words(axes: Axes, port: PortNames) -> None:
-    axes.set_xlabel(f"command [{port.effort}]")
-    axes.set_ylabel(f"delivered [{port.effort}]", labelpad=1)
+def _axes_words(axes: Axes, port: PortNames, words: str = "delivered") -> None:
     axes.axhline(0, color=INK, lw=0.3, zorder=0)
     axes.axvline(0, color=INK, lw=0.3, zorder=0)
     axes.locator_params(nbins=5)
+    label_axis(axes.xaxis, "command", port.effort)
+    label_axis(axes.yaxis, words, port.effort)
+    axes.yaxis.labelpad = 1
 
 
 def _margins(values: np.ndarray) -> tuple[float, float]:

@@ -8,7 +8,7 @@ from matplotlib.figure import Figure
 from matplotlib.ticker import MaxNLocator
 
 from dampen.analysis.sampling_cost import chatter
-from dampen.report.axes import legend_row, panel, sheet, value_axis, value_range
+from dampen.report.axes import label_axis, legend_row, panel, sheet, value_axis, value_range
 from dampen.report.names import PortNames, port_names
 from dampen.report.style import DOTS, INK, SINGLE, colour, plain_number, quantity, tint
 from dampen.simulation.result import Result
@@ -48,7 +48,7 @@ def draw_samples(of: str, run: Result, other: Result | None) -> tuple[Figure, st
     for each in (axes, below):
         each.set_xlim(float(t[0]), float(t[-1]))
         each.xaxis.set_major_locator(MaxNLocator(5))
-    below.set_xlabel(f"time in trial {last} [s]")
+    label_axis(below.xaxis, f"time in trial {last}", "s")
     legend_row(figure, handles)
     return figure, _sentence(port, run, of, (float(t[0]), float(t[-1])), reading - _true(run, port, steps))
 

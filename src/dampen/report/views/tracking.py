@@ -9,7 +9,7 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from dampen.analysis.metrics import error_peaks, tracking_error
-from dampen.report.axes import constraint, legend_row, log_axis, panel, sheet, value_axis, value_range
+from dampen.report.axes import constraint, label_axis, legend_row, log_axis, panel, sheet, value_axis, value_range
 from dampen.report.joined import duration, pick_extremes, uncontrolled
 from dampen.report.limits import limits_of
 from dampen.report.names import PortNames, course, port_names, tracked
@@ -77,7 +77,7 @@ def _errors(axes: Axes, port: PortNames, run: Result, of: str, trials: list[int]
     """Errors as they are; where the last is small beside the first, their largest moduli over short spans, on a log axis."""
     errors = {j: tracking_error(run, of, j) for j in trials}
     peaks = {j: float(np.abs(e).max()) for j, e in errors.items()}
-    axes.set_xlabel("time in the trial [s]")
+    label_axis(axes.xaxis, "time in the trial", "s")
     if peaks[trials[0]] > 10 * peaks[trials[-1]] > 0:
         spans = {j: _envelope(run.time, np.abs(e)) for j, e in errors.items()}
         for j, (t, e) in spans.items():
