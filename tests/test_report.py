@@ -226,7 +226,7 @@ def test_the_loop_tells_how_far_the_actuator_is_from_ideal() -> None:
     off = np.abs(np.asarray(run["delivered"]) - 0.3 * np.asarray(run["command"]))[:, :, 1]
     assert f"by {off.max():#.3g} N m at most; in trial 3 by {off[3].max():#.3g} N m" in sentence
     ideal = figure.axes[0].get_lines()[0]
-    assert ideal.get_label() == "ideal, slope 0.3"
+    assert ideal.get_label() == "no play, slope 0.3"
     np.testing.assert_allclose(ideal.get_ydata(), 0.3 * np.asarray(ideal.get_xdata()))
 
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Iterator
 from contextlib import ExitStack, contextmanager
 from dataclasses import dataclass
@@ -59,7 +60,9 @@ class Done:
 
     folder: Path
     result: Result
+    baseline: Result | None
     continuous: Result | None
+    frequencies: tuple[float, ...]
     claims: list[Claim]
     record: Record
     page: Path | None
@@ -126,7 +129,8 @@ def perform(
             with working("Drawing figures"):
                 page = report_of(runs, folder, record)
     whole &= not (runs.result.broke_off or (runs.baseline is not None and runs.baseline.broke_off))
-    return Done(folder, runs.result, runs.continuous, check_claims(runs.result, runs.baseline), record, page, whole)
+    claims, frequencies = check_claims(runs.result, runs.baseline), tuple(bench.modes.omega / math.tau)
+    return Done(folder, runs.result, runs.baseline, runs.continuous, frequencies, claims, record, page, whole)
 
 
 def finish(done: Done) -> None:
@@ -181,12 +185,13 @@ def compile_ahead(scenario: Scenario, bench: Bench) -> None:
 
 
 def show_outcome(done: Done) -> None:
-    """One table, one sentence of verdict, and what sampling costs."""
+    """The claims with their verdict, or what became of the ports; one sentence of the audit; what sampling costs."""
     from rich.text import Text
 
     from dampen.analysis.claims import verdict_sentence
+    from dampen.report.motion import in_words
     from dampen.report.review.words import sentence
-    from dampen.scenarios.claims import note
+    from dampen.scenarios.claims import legend, note
 
     result = done.result
     if result.broke_off:
@@ -197,7 +202,11 @@ def show_outcome(done: Done) -> None:
         colours = {"PASS": "green", "FAIL": "bold red", "n/a": "dim"}
         rows = [(c.id, c.statement, c.measured, Text(c.verdict, colours[c.verdict])) for c in done.claims]
         show_table(("", "Claim", "Measured", "Verdict"), rows)
+        out.print(legend(result), style="dim", markup=False)
         out.print(verdict_sentence(done.claims), markup=False)
+    elif result.trials:
+        for line in in_words(result, done.baseline, done.frequencies):
+            out.print(line, markup=False)
     if done.record.audit is not None:
         out.print(sentence(done.record.audit), markup=False)
     if note(result):

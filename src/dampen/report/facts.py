@@ -50,7 +50,7 @@ def facts(result: Result) -> list[tuple[str, str]]:
         ("Sampling", _sampling(result)),
         ("Actuators", _chains(scenario.actuators) or "ideal"),
         ("Compensation", _chains(scenario.compensation)),
-        ("Disturbance", described(scenario.disturbance)),
+        ("Disturbance", "; ".join(map(described, scenario.disturbance.parts)) or described(scenario.disturbance)),
         ("Reference", "; ".join(_reference(port, signal) for port, signal in scenario.task.reference.items())),
         (
             "Constraint",

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator
 from dataclasses import dataclass
 
@@ -78,6 +79,12 @@ def _sides(run: Result, side: int, index: int) -> Iterator[tuple[int, Array]]:
         yield trial, run.scenario.limits(trial)[side][None, :, index]
 
 
+def _to_digits(values: Array, digits: int) -> Array:
+    """Rounded to this many digits of the largest."""
+    largest = float(np.abs(values[np.isfinite(values)]).max(initial=0.0))
+    return np.round(values, digits - math.ceil(math.log10(largest))) if largest > 0 else values
+
+
 def _written(value: float) -> str:
     """A limit as its owner wrote it, or rounded where a signal gave it."""
     text = plain_number(value)
@@ -97,6 +104,6 @@ def limits_of(scenario: Scenario, name: str) -> Limits | None:
         return low[:, p] - about, high[:, p] - about
 
     # rounded, since a reference added and taken off again is back only up to round-off
-    first, last = (np.round(both(trial), 12) for trial in (0, scenario.task.trials - 1))
+    first, last = (_to_digits(np.array(both(trial)), 12) for trial in (0, scenario.task.trials - 1))
     moving = bool(np.any(first != first[:, :1]) or np.any(last != first))
     return Limits(p, scenario.plant.ports[p].motion_unit, first[0], first[1], on_error, moving)

@@ -19,6 +19,7 @@ from dampen.report.figures import Drawn, Job
 from dampen.report.joined import uncontrolled
 from dampen.report.review.parts import Parts
 from dampen.report.style import typeset
+from dampen.scenarios.claims import legend
 from dampen.simulation.result import Result
 from dampen.simulation.trials import LOST
 from dampen.toml import to_toml
@@ -48,6 +49,8 @@ def write_page(
         status=status_sentence(result, baseline),
         facts=facts(result),
         claims=claims,
+        failed=[claim for claim in claims if claim.holds is False],
+        legend=legend(result),
         key=None if key is None else shown[key],
         figures=[f for f in shown if f["name"] != "energy"],
         energy=next((f for f in shown if f["name"] == "energy"), None),

@@ -8,7 +8,7 @@ from dampen.analysis.claims import Claim
 from dampen.arguments import NOTHING, RESULT, takes
 from dampen.scenarios.figures import FigurePlan
 from dampen.scenarios.he2017.claims import he2017_claims
-from dampen.scenarios.he2017.figures import FIGURES, NOTE
+from dampen.scenarios.he2017.figures import FIGURES, GAINS, KEY, NOTE
 from dampen.simulation.result import Result
 
 
@@ -25,6 +25,13 @@ def figure_plan(result: Result) -> Sequence[FigurePlan] | None:
     return FIGURES if result.scenario.claims == "he2017" else None
 
 
+def legend(result: Result) -> str:
+    """What the claims are called after."""
+    return KEY if result.scenario.claims == "he2017" else ""
+
+
 def note(result: Result) -> str:
     """What a reader of the results must know beforehand."""
-    return NOTE if result.scenario.claims == "he2017" else ""
+    if result.scenario.claims != "he2017":
+        return ""
+    return f"{GAINS} {NOTE}" if result.scenario.controller.kind == "dual-loop-ailc" else NOTE

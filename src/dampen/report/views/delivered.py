@@ -9,7 +9,7 @@ from dampen.report.axes import legend_row, note_peak, panel, sheet, time_axis, v
 from dampen.report.joined import extremes, trial_peaks
 from dampen.report.names import PortNames, course, port_names
 from dampen.report.style import DOUBLE, colour, number, quantity
-from dampen.report.views.loop import both_loops, departure
+from dampen.report.views.loop import both_loops, departure, gain
 from dampen.simulation.result import Result
 
 LOOP = 2.35
@@ -44,4 +44,5 @@ def _sentence(port: PortNames, run: Result, force: np.ndarray) -> str:
     text = f"{name} stays between {number(float(force.min()))} and {quantity(float(force.max()), unit)}"
     if last:
         text += f"; its largest modulus{course(peaks, unit)}"
-    return f"{text}. It differs from the ideal actuator's by {quantity(departure(run, port.index), unit)} at most."
+    slope, off = number(gain(run, port.index)), quantity(departure(run, port.index), unit)
+    return f"{text}. Without play or limits it would be {slope} times the command, from which it differs by {off} at most."

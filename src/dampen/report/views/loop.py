@@ -46,7 +46,7 @@ def draw_loop(of: str, run: Result, other: Result | None) -> tuple[Figure, str]:
     whole.set_xlim(*_margins(command))
     whole.set_ylim(*_margins(delivered))
     _axes_words(whole, port)
-    _axes_words(beside, port, f"delivered {MINUS} ideal")
+    _axes_words(beside, port, f"delivered {MINUS} no play")
     legend_row(figure, handles + ideal)
     return figure, _sentence(port, run)
 
@@ -86,7 +86,7 @@ def departure(run: Result, index: int) -> float:
 
 def _ideal(axes: Axes, run: Result, index: int, ends: np.ndarray) -> list[Any]:
     slope = gain(run, index)
-    return axes.plot(ends, slope * ends, color=IDEAL, lw=3, label=f"ideal, slope {slope:.3g}", zorder=1)
+    return axes.plot(ends, slope * ends, color=IDEAL, lw=3, label=f"no play, slope {slope:.3g}", zorder=1)
 
 
 def _axes_words(axes: Axes, port: PortNames, words: str = "delivered") -> None:
@@ -136,7 +136,7 @@ def _cloud(x: np.ndarray, y: np.ndarray) -> Pair:
 def _sentence(port: PortNames, run: Result) -> str:
     last = run.trials - 1
     most = quantity(departure(run, port.index), port.effort)
-    text = f"The {port.effort_words} differs from the ideal actuator's by {most} at most"
+    text = f"The {port.effort_words} differs from the actuator's without play by {most} at most"
     command, delivered = loop(run, last, port.index)
     kind = port.effort_words.removeprefix("delivered ")
     reach, off = float(np.abs(delivered).max()), float(np.abs(delivered - gain(run, port.index) * command).max())

@@ -7,12 +7,12 @@ from typing import Any
 import numpy as np
 from matplotlib.figure import Figure
 
-from dampen.analysis.metrics import error_peaks, first_beyond, fraction_of_limit
 from dampen.report.axes import constraint, legend_row, note_peak, panel, sheet, time_axis, value_axis, value_range
-from dampen.report.joined import extremes, gapped, trial_peaks, uncontrolled
+from dampen.report.joined import extremes, gapped, uncontrolled
 from dampen.report.limits import limits_of
-from dampen.report.names import PortNames, course, port_names, tracked
-from dampen.report.style import DASHES, MINUS, REFERENCE, UNCONTROLLED, colour, percent, quantity, ranges
+from dampen.report.motion import port_in_words
+from dampen.report.names import port_names, tracked
+from dampen.report.style import DASHES, REFERENCE, UNCONTROLLED, colour, quantity
 from dampen.simulation.result import Result
 
 
@@ -53,34 +53,4 @@ def draw_port(of: str, run: Result, other: Result | None) -> tuple[Figure, str]:
         note_peak(axes, float(t[k]), float(y[k]), f"peak {quantity(float(y[k]), port.motion)}", ink, height)
     if len(handles) > 1:
         legend_row(figure, handles)
-    return figure, _sentence(port, run, behind, of)
-
-
-def _sentence(port: PortNames, run: Result, behind: Result | None, of: str) -> str:
-    limits, follows = limits_of(run.scenario, of), tracked(run, of)
-    peaks = error_peaks(run, of) if follows else trial_peaks(run, "y", port.index)
-    text = f"The largest error |{port.text} {MINUS} reference|" if follows else f"The largest |{port.text}|"
-    if run.trials == 1:
-        text += f" is {quantity(peaks[0], port.motion)} in the only trial"
-    else:
-        text += course(peaks, port.motion, " of a trial")
-    if limits is not None:
-        text += f"; {limits.words} {against(run, of)}"
-    if behind is not None:
-        grey = error_peaks(behind, of) if follows else trial_peaks(behind, "y", port.index)
-        text += f". Without control it is {quantity(grey[-1], port.motion)} in trial {behind.trials - 1}"
-        text += f", and {quantity(grey.max(), port.motion)} at its largest"
-    return text + "."
-
-
-def against(run: Result, of: str) -> str:
-    """What became of the constraint: kept with what margin, or broken when and by how much."""
-    shares, beyond = fraction_of_limit(run, of), first_beyond(run, of)
-    if beyond is None:
-        return f"is never reached, the margin is {percent(1 - shares.max())}"
-    broken = np.flatnonzero(shares >= 1)
-    when = f"trial {broken[0]}" if len(broken) == 1 else f"{len(broken)} of {len(shares)} trials"
-    which = f" ({ranges(broken.tolist())})" if 1 < len(broken) < len(shares) else ""
-    trial, t = beyond
-    at = f"first at t = {t + trial * float(run.scenario.task.trial_duration):.4g} s"
-    return f"is broken in {when}{which}, {at}, by {percent(shares.max() - 1)} at most"
+    return figure, port_in_words(run, of, behind)

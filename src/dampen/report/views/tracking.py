@@ -12,9 +12,9 @@ from dampen.analysis.metrics import error_peaks, tracking_error
 from dampen.report.axes import constraint, label_axis, legend_row, log_axis, panel, sheet, value_axis, value_range
 from dampen.report.joined import duration, pick_extremes, uncontrolled
 from dampen.report.limits import limits_of
+from dampen.report.motion import against
 from dampen.report.names import PortNames, course, port_names, tracked
 from dampen.report.style import COLUMNS, DASHES, DOTS, INK, REFERENCE, SINGLE, UNCONTROLLED, colour, percent, quantity, tint
-from dampen.report.views.port import against
 from dampen.simulation.result import Result
 
 HEIGHT, LOWER = 3.4, 1.5
