@@ -8,6 +8,7 @@ import subprocess
 import sys
 import time
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
@@ -282,7 +283,9 @@ def test_memory_does_not_grow_with_the_number_of_trials(tmp_path: Path) -> None:
 
 def test_the_readme_s_python_runs() -> None:
     readme = (Path(__file__).parents[1] / "README.md").read_text(encoding="utf-8")
-    code = readme.split("```python\n")[1].split("```")[0].replace("task.trials=40", "task.trials=3")
-    names: dict[str, object] = {}
-    exec(code, names)
+    blocks = [block.split("```")[0] for block in readme.split("```python\n")[1:]]
+    names: dict[str, Any] = {}
+    exec("".join(blocks).replace("task.trials=40", "task.trials=3").replace("budget=100", "budget=8"), names)
     assert isinstance(names["result"], dampen.Result)
+    assert isinstance(names["better"], dampen.Scenario)
+    assert np.abs(dampen.simulate(names["strip"])["y"][-1][:, 0]).max() < 0.005

@@ -16,6 +16,7 @@ from dampen.analysis.claims import Claim, verdict_sentence
 from dampen.analysis.sampling_cost import METRICS, Cost
 from dampen.report.facts import account_rows, cost_row, facts, gains, status_sentence
 from dampen.report.figures import Drawn, Job
+from dampen.report.glossary import WORDS
 from dampen.report.joined import uncontrolled
 from dampen.report.review.parts import Parts
 from dampen.report.style import typeset
@@ -51,6 +52,7 @@ def write_page(
         claims=claims,
         failed=[claim for claim in claims if claim.holds is False],
         legend=legend(result),
+        words=WORDS.items(),
         key=None if key is None else shown[key],
         figures=[f for f in shown if f["name"] != "energy"],
         energy=next((f for f in shown if f["name"] == "energy"), None),

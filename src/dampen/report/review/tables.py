@@ -43,7 +43,7 @@ def credit_columns(credit: Credit) -> list[str]:
     """Headings of the credit table."""
     ports = [one.port for one in credit.whole.ports]
     margin = ["margin"] if np.isfinite(credit.whole.margin) else []
-    return ["", *(f"residual, {port}" for port in ports), *margin, *(f"effort, {port}" for port in ports), "energy at the end"]
+    return ["", *(f"residual, {port}" for port in ports), *margin, *(f"effort, {port}" for port in ports), "mean energy"]
 
 
 def credit_rows(credit: Credit) -> list[tuple[str, ...]]:
