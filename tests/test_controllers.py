@@ -8,8 +8,10 @@ from itertools import pairwise
 import numpy as np
 import pytest
 from scipy.linalg import expm
+from scipy.signal import butter, sosfiltfilt
 
 import dampen
+from dampen.controllers import norm_optimal_ilc, p_type_ilc
 from dampen.simulation.bench import Bench
 from dampen.simulation.setting import setting_of
 
@@ -114,6 +116,34 @@ def test_norm_optimal_learning_solves_its_normal_equations() -> None:
     np.testing.assert_allclose(u[2], expected, atol=1e-9 * np.abs(u[2]).max())
 
 
+def block_toeplitz(response: np.ndarray) -> np.ndarray:
+    """The lifted matrix, (steps ports, steps ports), of a response (steps, ports, ports)."""
+    steps, ports, _ = response.shape
+    p = np.zeros((steps, ports, steps, ports))
+    for k in range(steps):
+        for i in range(k + 1):
+            p[k, :, i] = response[k - i]
+    return p.reshape(steps * ports, -1)
+
+
+@pytest.mark.parametrize("few", [0, 150])
+def test_factors_and_conjugate_gradients_solve_the_normal_equations(few: int, monkeypatch: pytest.MonkeyPatch) -> None:
+    """One port is seen but has no actuator, one moves but is not seen; factors are kept for the trials that follow."""
+    monkeypatch.setattr(norm_optimal_ilc, "FEW", few)
+    random, weight, ridge = np.random.default_rng(4), np.array([3.0, 0.5, 2.0]), 1e-2
+    response = random.standard_normal((9, 3, 3)) * 0.8 ** np.arange(9)[:, None, None]
+    response[:, :, 1], response[:, 2] = 0.0, 0.0
+    lifted, p = norm_optimal_ilc.Lifted(response), block_toeplitz(response)
+    matrix = p.T @ (np.tile(weight, 9)[:, None] * p) + ridge * np.eye(27)
+    for _ in range(3):
+        right = random.standard_normal((9, 3))
+        np.testing.assert_allclose(lifted(right).ravel(), p @ right.ravel(), atol=1e-13)
+        np.testing.assert_allclose(lifted.back(right).ravel(), p.T @ right.ravel(), atol=1e-13)
+        found = lifted.solve(weight, ridge, right)
+        np.testing.assert_allclose(found.ravel(), np.linalg.solve(matrix, right.ravel()), rtol=1e-9, atol=1e-11)
+    assert (lifted.factors is None) == (few > 0)
+
+
 @pytest.mark.parametrize("delay", [0.0, 0.004, 0.006, 0.01])
 def test_lqg_without_noise_equals_lqr(delay: float) -> None:
     """From rest, nothing unknown: the filter's estimate is exact, and the commands are those of the state fed back."""
@@ -192,6 +222,17 @@ def test_a_q_filter_keeps_what_is_slow_and_drops_what_is_fast() -> None:
     np.testing.assert_allclose(kept[:, 0], slow[200:-200], atol=2e-3)
     assert np.abs(kept[:, 1]).max() < 0.01
     assert low_pass(slow, None, 0.001) is slow
+    assert low_pass(slow, 500.0, 0.001) is slow
+
+
+def test_a_q_filter_treats_the_ends_as_scipy_s_own_does() -> None:
+    """Mirrored by three samples for each coefficient, or by as many as a short trial has."""
+    signal = np.random.default_rng(2).standard_normal((40, 2))
+    section = butter(2, 20.0, fs=1000.0, output="sos")
+    np.testing.assert_array_equal(p_type_ilc.low_pass(signal, 20.0, 0.001), sosfiltfilt(section, signal, axis=0))
+    np.testing.assert_array_equal(
+        p_type_ilc.low_pass(signal[:4], 20.0, 0.001), sosfiltfilt(section, signal[:4], axis=0, padlen=3)
+    )
 
 
 def test_lqg_brings_the_port_that_is_asked_to_its_reference_when_another_has_no_actuator() -> None:
