@@ -12,6 +12,7 @@ from scipy.signal import butter, sosfiltfilt
 
 import dampen
 from dampen.controllers import norm_optimal_ilc, p_type_ilc
+from dampen.controllers.sampled_plant import under_way
 from dampen.simulation.bench import Bench
 from dampen.simulation.setting import setting_of
 
@@ -177,6 +178,31 @@ def test_lqg_s_gains_are_those_of_an_independent_recursion() -> None:
     assert np.abs(np.linalg.eigvals(d.a - d.a @ d.correct @ d.c)).max() < 1
 
 
+@pytest.mark.parametrize("factor", [1e-8, 1e8])
+def test_only_ratios_of_lqg_s_weights_and_of_its_noises_count(factor: float) -> None:
+    """Where one port has a weight and another neither weight nor actuator: however small the weight, only the one is asked."""
+    noises = {"force_noise": 0.1, "sensor_noise": 1e-4}
+    weights = {"energy_weight": 1.0, "error_weight": {"tip_w": 1e-4}, "effort_weight": 0.01}
+    law = dampen.LQG(modes=4, **noises, **weights)  # type: ignore[arg-type]
+    other = dampen.LQG(
+        modes=4, energy_weight=factor, error_weight={"tip_w": 1e-4 * factor}, effort_weight=0.01 * factor,
+        **{name: factor * value for name, value in noises.items()},  # type: ignore[arg-type]
+    )  # fmt: skip
+    scenario = case(law, 0.004, actuators={"tip_phi": (dampen.Absent(),)}, task=dampen.Task(trials=1, trial_duration=DURATION))
+    setting = setting_of(scenario, Bench(scenario))
+    for one, same in zip(law.design(setting), other.design(setting), strict=True):
+        np.testing.assert_allclose(same, one, rtol=1e-6, atol=1e-6 * np.abs(one).max())
+
+
+def test_a_delay_of_so_many_periods_has_as_many_commands_under_way_however_it_rounds() -> None:
+    setting = setting_of(case(dampen.PTypeILC()))
+    for dt in (0.1, 0.003, 0.001):
+        for count in range(40):
+            delay = sum([dt] * count)  # not always count * dt
+            assert under_way(replace(setting, dt=dt, delay=delay)) == count
+            assert under_way(replace(setting, dt=dt, delay=delay + 1e-3 * dt)) == count + 1
+
+
 def test_lqg_comes_to_rest_on_its_reference() -> None:
     law = dampen.LQG(modes=16, error_weight={"tip_w": 1e4, "tip_phi": 1e4}, effort_weight=1e-3)
     task = dampen.Task(trials=1, trial_duration=20.0, reference={"tip_w": dampen.Hold(0.03), "tip_phi": dampen.Hold(-0.02)})
@@ -190,6 +216,17 @@ def test_the_inner_loop_alone_is_the_first_trial_of_the_dual_loop() -> None:
     alone, both = dampen.simulate(adaptive), dampen.simulate(dual)
     np.testing.assert_array_equal(alone["y"][0], both["y"][0])
     assert np.abs(alone["y"][1] - both["y"][1]).max() > 1e-4
+
+
+def test_a_backlash_believed_at_torques_is_meant_there_alone() -> None:
+    force, torque = dampen.AssumedBacklash(0.5, 0.4, -0.1), dampen.AssumedBacklash(0.25, 0.1, -0.3)
+    law = dampen.DualLoopAILC(assumed_backlash=force, assumed_torque_backlash=torque)
+    scenario = dampen.read_scenario("he2017", ["task.trials=1"])
+    first, second = (law.compensation(port)[0].row(0.001) for port in scenario.plant.ports)
+    assert (first, second) == ((2.0, -0.1), (4.0, -0.3))
+    np.testing.assert_allclose(law.learning_row(setting_of(scenario))[2], [0.25, 0.1], rtol=1e-15)
+    same = replace(law, assumed_torque_backlash=None)
+    assert [same.assumed_at(port) for port in scenario.plant.ports] == [force, force]
 
 
 def test_open_loop_and_feedforward_command_what_they_are_told() -> None:

@@ -130,14 +130,15 @@ class LQG(SampledFeedback):
         weight = np.zeros_like(a)
         weight[: 2 * n, : 2 * n] = self.energy_weight * np.diag(np.concatenate([omega**2, np.ones(n)]))
         weight += c.T @ (setting.by_port(self.error_weight)[:, None] * c)
-        effort, shaken = self.effort_weight * np.eye(ports), self.force_noise**2 * self._shaking(setting, len(a))
+        shaking, one = self._shaking(setting, len(a)), np.eye(ports)
         none = "Argument `controller` has weights for which there is no LQG design"
         try:
             with np.errstate(over="ignore", invalid="ignore", divide="ignore"):  # what comes of it is checked
-                cost = solve_discrete_are(a, b, weight, effort)
-                spread = solve_discrete_are(a.T, c.T, shaken, self.sensor_noise**2 * np.eye(ports))
-                hold = np.linalg.solve(effort + b.T @ cost @ b, b.T @ cost @ a)
-                correct = np.linalg.solve(c @ spread @ c.T + self.sensor_noise**2 * np.eye(ports), c @ spread).T
+                # only ratios count: in units of the effort's weight and of the sensors' noise, however small these are
+                cost = solve_discrete_are(a, b, weight / self.effort_weight, one)
+                spread = solve_discrete_are(a.T, c.T, np.square(self.force_noise / self.sensor_noise) * shaking, one)
+                hold = np.linalg.solve(one + b.T @ cost @ b, b.T @ cost @ a)
+                correct = np.linalg.solve(c @ spread @ c.T + one, c @ spread).T
                 rest, feed = at_rest(a, b, c, self._wanted(setting))
         except (LinAlgError, ValueError) as error:
             raise ArgumentError(f"{none}: {error}.") from None
