@@ -229,6 +229,21 @@ def test_a_backlash_believed_at_torques_is_meant_there_alone() -> None:
     assert [same.assumed_at(port) for port in scenario.plant.ports] == [force, force]
 
 
+def test_a_barrier_acts_where_it_has_a_gain_and_none_acts_nowhere() -> None:
+    limited = dampen.Task(trials=1, trial_duration=DURATION, constraint={"tip_w": 0.2})
+    law = dampen.BoundaryDamping(barrier="log", barrier_gain={"tip_w": 0.5})
+    scenario = case(law, task=limited)
+    setting = setting_of(scenario)
+    np.testing.assert_array_equal(law.law({}, setting).barrier, [0.5, 0.0])
+    assert [law.has_barrier(port) for port in scenario.plant.ports] == [True, False]
+    with pytest.raises(dampen.ArgumentError, match=r"`task.constraint.tip_phi` must be given"):
+        case(replace(law, barrier_gain={"tip_w": 0.5, "tip_phi": 0.1}), task=limited)
+    for off in (replace(law, barrier="none"), dampen.AdaptiveBoundary(barrier="none")):
+        free = case(off, task=replace(limited, constraint={}), bounds={"f": 0.1, "tip_w": 0.1, "tip_phi": 0.1})
+        assert not off.law(off.begin(setting_of(free)), setting_of(free)).barrier.any()
+        assert not off.has_barrier(scenario.plant.ports[0])
+
+
 def test_open_loop_and_feedforward_command_what_they_are_told() -> None:
     signal = dampen.Sinusoid(amplitude=0.4, frequency=1.5)
     given = {"tip_w": signal, "tip_phi": 0.1}
