@@ -369,6 +369,11 @@ def test_exact_compensation_then_the_actuator_is_the_identity(pair: tuple[Stage,
     np.testing.assert_allclose(respond(pair, u), u, rtol=0, atol=5e-14)
 
 
+@given(gap=gaps)
+def test_where_nothing_is_commanded_the_inverse_of_a_dead_zone_asks_for_nothing(gap: dict[str, float]) -> None:
+    assert respond([DeadZoneInverse(**gap)], [0.0, -0.0, 0.0]) == [0.0, 0.0, 0.0]
+
+
 @given(u=commands)
 def test_with_wrong_estimates_the_error_is_what_the_estimates_miss(u: list[float]) -> None:
     out = respond([DeadZoneInverse(1.0, 0.1, -0.1), DeadZone(1.0, 0.3, -0.2)], u)
