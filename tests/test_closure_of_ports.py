@@ -88,6 +88,22 @@ def test_where_nothing_settles_the_stages_are_led_to_where_the_commands_that_wer
     assert unsettled > 30
 
 
+def test_a_barrier_so_stiff_that_rounding_decides_costs_no_rounds() -> None:
+    """It answers as what it is, a port that is held; taken for soft, it would make plain sweeps of twenty rounds."""
+    random, g, limit = np.random.default_rng(0), np.array([[1.0, 0.9], [0.9, 1.0]]), 0.2
+    rounded = 0
+    for _ in range(60):
+        found, stages = at_rest(g)
+        found.damping = random.uniform(0, 1, 2)
+        found.v_free, found.feedforward = 3 * random.normal(size=2), 10 * random.normal(size=2)
+        near = found[0]
+        near.low, near.high, near.y, near.barrier = -limit, limit, limit * (1 - 10 ** random.uniform(-13, -6)), 1.0
+        near.memo = barrier.fresh_memo(near.y, -limit, limit)
+        assert closed(found, stages, g, ROUNDS=6)
+        rounded += near.per_slope == -closure.LEAST
+    assert rounded > 20
+
+
 CALLS: list[int] = []
 
 
