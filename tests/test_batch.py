@@ -6,7 +6,7 @@ import os
 import subprocess
 import sys
 from dataclasses import dataclass, replace
-from typing import Any
+from typing import Any, ClassVar
 
 import numpy as np
 import pytest
@@ -15,6 +15,7 @@ import dampen
 from dampen.analysis.merits import LATE, columns, merits
 from dampen.analysis.metrics import error_peaks, largest
 from dampen.analysis.sampling_cost import chatter, effort, margin
+from dampen.controllers.pointwise import PointwiseLearning
 from dampen.simulation.batch import Batch, Tally, alone
 from dampen.simulation.bench import Bench
 from dampen.simulation.compiled import bind
@@ -277,6 +278,8 @@ def test_members_that_follow_their_own_references_with_their_own_forces_are_sing
     law, task = nominal.controller, nominal.task
     paths = [dampen.Hold(0.05), dampen.Sinusoid(amplitude=0.04, frequency=2.0, phase=1.0)]
     members = [nominal, *(replace(nominal, task=replace(task, reference={"tip_w": path})) for path in paths)]
+    closing = dampen.Constraint(high=dampen.Decay(0.3, 0.1, 0.1), low=dampen.Decay(-0.2, -0.06, 0.2))
+    members.append(replace(nominal, task=replace(task, constraint={"tip_w": closing})))
     members += [replace(m, controller=replace(law, feedforward={"tip_w": 7.0 + 5 * i})) for i, m in enumerate(members)]
     batch = Batch(nominal)
     for member, found in zip(members, batch.run(members), strict=True):
@@ -284,6 +287,35 @@ def test_members_that_follow_their_own_references_with_their_own_forces_are_sing
         single = alone(member, batch.bench_of(member))
         np.testing.assert_array_equal(found.by_port, single.by_port)
         np.testing.assert_array_equal(found.whole, single.whole)
+
+
+@dataclass(frozen=True)
+class LearnsFromAll(PointwiseLearning, dampen.BoundaryDamping):
+    """Learns from everything that is seen of a step: error at its end, rate, command, and what was learned before."""
+
+    kind: ClassVar[str] = "learns-from-all"
+    relearn: ClassVar = staticmethod(
+        lambda feedforward, coulomb, error, v, command, row: (
+            0.9 * feedforward - row[0] * error - row[1] * v,
+            0.5 * coulomb + row[2] * command * command,
+        )
+    )
+
+    def learning_row(self, setting: Any) -> np.ndarray:
+        return np.array([[20.0], [3.0], [0.01]])
+
+
+def test_a_member_learns_from_the_error_the_rate_and_the_command_of_every_step() -> None:
+    nominal = dampen.read_scenario("string-tip-mass", ["task.trials=3", "task.trial_duration=0.4", "numerics.modes=8"])
+    law: Any = nominal.controller
+    own = replace(nominal, controller=LearnsFromAll(damping=law.damping, barrier=law.barrier, barrier_gain=law.barrier_gain))
+    assert in_step(own)
+    bench = Bench(own)
+    stepped = Lockstep([own], [bench])
+    for p, _ in zip(passes(own, bench), stepped.trials(), strict=True):
+        np.testing.assert_allclose(stepped.members.learned_feedforward[0], p.memory["feedforward"], rtol=1e-13, atol=1e-16)
+        np.testing.assert_allclose(stepped.members.learned_coulomb[0], p.memory["coulomb"], rtol=1e-13)
+        assert p.memory["coulomb"].any()
 
 
 @pytest.mark.parametrize("start", ["chained", "reset"])

@@ -102,6 +102,9 @@ def test_noise_and_a_reference_are_seen_as_the_runs_own_law_sees_them(start: str
     np.testing.assert_allclose(told["energy"][..., 0], energy, rtol=1e-9)
     np.testing.assert_allclose(told["error"], run["y"][:][:, each:-each:each] - followed, rtol=0, atol=1e-9)
     np.testing.assert_allclose(told["time"][0, :, 0], run.time[each:-each:each], rtol=1e-12)
+    first = env.reset()[0]
+    np.testing.assert_allclose(first[:2] * env.scaling.error + run["reference"][0, 0], run["reading"][0, 0], rtol=0, atol=1e-15)
+    np.testing.assert_array_equal(first[2:4], 0.0, "the estimator begins at rest")
 
 
 @pytest.mark.parametrize(("push", "limits"), [(-20.0, (-0.05, 10.0)), (20.0, (-10.0, 0.17))])
