@@ -290,7 +290,7 @@ def test_members_that_follow_their_own_references_with_their_own_forces_are_sing
 
 
 @dataclass(frozen=True)
-class LearnsFromAll(PointwiseLearning, dampen.BoundaryDamping):
+class LearnsFromAll(PointwiseLearning, dampen.AdaptiveBoundary):
     """Learns from everything that is seen of a step: error at its end, rate, command, and what was learned before."""
 
     kind: ClassVar[str] = "learns-from-all"
@@ -302,13 +302,11 @@ class LearnsFromAll(PointwiseLearning, dampen.BoundaryDamping):
     )
 
     def learning_row(self, setting: Any) -> np.ndarray:
-        return np.array([[20.0], [3.0], [0.01]])
+        return np.array([[0.5, 0.3], [0.3, 0.2], [0.01, 0.02]])
 
 
 def test_a_member_learns_from_the_error_the_rate_and_the_command_of_every_step() -> None:
-    nominal = dampen.read_scenario("string-tip-mass", ["task.trials=3", "task.trial_duration=0.4", "numerics.modes=8"])
-    law: Any = nominal.controller
-    own = replace(nominal, controller=LearnsFromAll(damping=law.damping, barrier=law.barrier, barrier_gain=law.barrier_gain))
+    own = replace(scenario(*SHORT), controller=LearnsFromAll())
     assert in_step(own)
     bench = Bench(own)
     stepped = Lockstep([own], [bench])

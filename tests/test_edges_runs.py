@@ -125,3 +125,6 @@ def test_a_file_counts_the_trial_in_which_the_motion_broke_off_as_begun_and_not_
     )
     result = dampen.simulate(replace(case, disturbance=blow), store=Watched(tmp_path / "r.nc"), compile=False)
     assert (result.status, result.trials, counted) == ("diverged", 1, [1])
+    for name, variable in result.layout.variables.items():
+        kept = result[name]
+        assert (getattr(kept, "units", ""), kept.long_name, kept.dtype) == (variable.unit, variable.meaning, variable.kind)
