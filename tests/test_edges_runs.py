@@ -6,7 +6,6 @@ import os
 import shutil
 import sys
 from collections import namedtuple
-from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -108,23 +107,3 @@ def test_a_reader_that_goes_away_and_a_full_disk_behind_the_output(tmp_path: Pat
     assert done.returncode == 3
     assert done.stderr.startswith("The system refuses")
     assert len(done.stderr.splitlines()) == 1
-
-
-def test_a_file_counts_the_trial_in_which_the_motion_broke_off_as_begun_and_not_as_finished(tmp_path: Path) -> None:
-    """Before it is closed, too: a run may be killed in between."""
-
-    class Watched(FileStore):
-        def close(self, status: str, trials: int) -> dampen.Result:
-            counted.append(int(self.file.getncattr("trials_finished")))
-            return super().close(status, trials)
-
-    counted: list[int] = []
-    blow = dampen.Impulse(impulse={"tip_w": 1e30}, duration=0.005, at=0.0, trial=1)
-    case = dampen.read_scenario(
-        "he2017", ["task.trials=3", "task.trial_duration=0.01", "numerics.modes=4", "output.every=10", "controller.kind=none"]
-    )
-    result = dampen.simulate(replace(case, disturbance=blow), store=Watched(tmp_path / "r.nc"), compile=False)
-    assert (result.status, result.trials, counted) == ("diverged", 1, [1])
-    for name, variable in result.layout.variables.items():
-        kept = result[name]
-        assert (getattr(kept, "units", ""), kept.long_name, kept.dtype) == (variable.unit, variable.meaning, variable.kind)
