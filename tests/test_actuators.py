@@ -37,7 +37,8 @@ from dampen.scenarios.read import build, parse
 from dampen.simulation import closure
 from dampen.simulation.bench import Bench
 from dampen.simulation.compiled import _key, bind, compiled
-from dampen.simulation.kernel import PORT, STAGE
+from dampen.simulation.kernel import PORT, STAGE, Step
+from dampen.simulation.records import port_records
 from dampen.stage import Stage
 from dampen.toml import to_toml
 from tests.conftest import scenario
@@ -369,6 +370,11 @@ def test_exact_compensation_then_the_actuator_is_the_identity(pair: tuple[Stage,
     np.testing.assert_allclose(respond(pair, u), u, rtol=0, atol=5e-14)
 
 
+@given(gap=gaps)
+def test_where_nothing_is_commanded_the_inverse_of_a_dead_zone_asks_for_nothing(gap: dict[str, float]) -> None:
+    assert respond([DeadZoneInverse(**gap)], [0.0, -0.0, 0.0]) == [0.0, 0.0, 0.0]
+
+
 @given(u=commands)
 def test_with_wrong_estimates_the_error_is_what_the_estimates_miss(u: list[float]) -> None:
     out = respond([DeadZoneInverse(1.0, 0.1, -0.1), DeadZone(1.0, 0.3, -0.2)], u)
@@ -641,6 +647,33 @@ def test_a_bad_stage_is_told_in_one_line(override: str) -> None:
         scenario(override)
     assert BAD[override] in str(caught.value)
     assert len(str(caught.value).splitlines()) == 1
+
+
+def test_radii_that_are_equal_do_not_increase() -> None:
+    for cls in (PrandtlIshlinskii, PrandtlIshlinskiiInverse):
+        with pytest.raises(dampen.ArgumentError, match="`radii` must increase"):
+            cls(weights=(0.1, 0.1), radii=(0.2, 0.2))
+
+
+@pytest.mark.parametrize(("numbers", "states", "fits"), [(32, 16, True), (33, 16, False), (32, 17, False)])
+def test_a_stage_begins_in_its_own_state_and_is_refused_where_there_is_no_room(numbers: int, states: int, fits: bool) -> None:
+    class Wide(Ideal):
+        def row(self, dt: float) -> tuple[float, ...]:
+            return tuple(range(numbers))
+
+        def start(self) -> tuple[float, ...]:
+            return tuple(0.5 + k for k in range(states))
+
+    Wide.states = states
+    step = Step(DT, 1 / DT, np.zeros((1, 1)), np.eye(1), np.eye(1))
+    if not fits:
+        with pytest.raises(ValueError, match="Wide needs more than 32 parameters or 16 states"):
+            port_records([(Wide(),)], step, [Wide])
+        return
+    _, stages = port_records([(Ideal(), Wide())], step, [Wide, Ideal])
+    np.testing.assert_array_equal(stages[1].state, 0.5 + np.arange(16))
+    np.testing.assert_array_equal(stages[1].parameters, np.arange(32))
+    assert list(stages.code) == [1, 0]
 
 
 def test_sixteen_plays_are_one_too_many() -> None:

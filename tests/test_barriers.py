@@ -105,3 +105,13 @@ def test_a_step_to_zero_leaves_nothing_of_the_other_side_s_logarithm() -> None:
 def test_the_series_of_small_steps_is_atanh_to_the_last_digits() -> None:
     for z in (1e-9, 3e-4, 9.99e-4):
         assert log_barrier.atanh_ratio(z * z) == pytest.approx(math.atanh(z) / z, rel=5e-16, abs=0.0)
+
+
+@pytest.mark.parametrize("d", [9.9e-4, -9.9e-4, 3e-4, 1e-9])
+def test_the_series_of_small_steps_of_the_tan_barrier_is_the_sine_to_the_last_digits(d: float) -> None:
+    y = 0.5
+    y_new = math.sqrt(y * y + d / (math.pi / 2))
+    d = math.pi / 2 * (y_new - y) * (y_new + y)
+    found = tan_barrier.gradient(y, y_new, 0.0, 1.0)
+    ratio = found * 2 * tan_barrier.cosine_of(y, 1.0) * tan_barrier.cosine_of(y_new, 1.0) / (y + y_new)
+    assert ratio == pytest.approx(math.sin(d) / d, rel=1e-15, abs=0.0)

@@ -6,7 +6,7 @@ import os
 import subprocess
 import sys
 from dataclasses import dataclass, replace
-from typing import Any
+from typing import Any, ClassVar
 
 import numpy as np
 import pytest
@@ -15,11 +15,14 @@ import dampen
 from dampen.analysis.merits import LATE, columns, merits
 from dampen.analysis.metrics import error_peaks, largest
 from dampen.analysis.sampling_cost import chatter, effort, margin
+from dampen.controllers.pointwise import PointwiseLearning
 from dampen.simulation.batch import Batch, Tally, alone
 from dampen.simulation.bench import Bench
+from dampen.simulation.compiled import bind
+from dampen.simulation.kernel import Record
 from dampen.simulation.lockstep import Lockstep, in_step
 from dampen.simulation.passes import passes
-from dampen.simulation.tally import PEAK
+from dampen.simulation.tally import BY_PORT, PEAK, WHOLE, tally
 from tests.conftest import READINGS, scenario
 from tests.test_contract import EXAMPLES, case
 
@@ -243,3 +246,89 @@ def test_the_peak_of_all_ports_is_a_share_of_the_constraint_however_it_lies() ->
     free = scenario(*SHORT, "controller.barrier=none", "task.constraint={tip_w=10.0}")
     found = merits(outcome(Batch(free), free))
     assert found["peak"] == pytest.approx(found["peak.tip_w"] / 10, rel=1e-12)
+
+
+def test_the_figures_of_a_trial_by_hand() -> None:
+    """Two ports, four steps of which the third was the last that was done; limits that are neither even nor at rest."""
+    nan, none = float("nan"), np.zeros((5, 2))
+    record = Record(
+        y=np.array([[0.1, 0.0], [-0.3, 0.0], [0.2, -0.4], [0.1, 0.2], [9.0, 9.0]]),
+        slow=none,
+        energy=np.array([1.0, 2.0, 4.0, 5.0, 99.0]),
+        v=np.array([[0.0, 1.0], [-0.1, 0.0], [0.0, 1.0], [0.0, 0.0]]),
+        command=np.array([[1.0, -1.0], [3.0, -1.0], [-2.0, -4.0], [50.0, 50.0]]),
+        delivered=np.array([[3.0, 0.0], [0.0, 2.0], [-3.0, 1.0], [70.0, 70.0]]),
+        work_load=none[:, 0],
+        dissipated=none[:, 0],
+        q=none,
+        unsettled=np.array([2.0]),
+    )
+    low = np.array([[-1.0, -0.5], [-0.5, -0.5], [-0.1, -0.5], [-1.0, -0.5], [-1.0, -0.5]])
+    high = np.array([[0.25, 1.0], [0.1, 1.0], [1.0, 1.0], [0.2, 0.4], [1.0, 1.0]])
+    before, by_port, whole = np.array([nan, 4.0]), np.zeros((2, len(BY_PORT))), np.zeros(len(WHOLE))
+    bind(tally, PORTS=2)(record, low, high, 3, before, by_port, whole)
+    np.testing.assert_allclose(by_port[0], [0.3, 0.15 / 4, 0.3 / 0.5, 18 / 3, 2 + 5, 2 / 3], rtol=1e-14)
+    np.testing.assert_allclose(by_port[1], [0.4, 0.2 / 4, 0.4 / 0.5, 5 / 3, 5 + 0 + 3, 1 / 3], rtol=1e-14)
+    np.testing.assert_array_equal(whole, [12.0 / 4, 2, 3])
+    np.testing.assert_array_equal(before, [-2.0, -4.0])
+
+
+def test_members_that_follow_their_own_references_with_their_own_forces_are_single_runs() -> None:
+    nominal = dampen.read_scenario("string-tip-mass", ["task.trials=3", "task.trial_duration=0.4", "numerics.modes=8"])
+    law, task = nominal.controller, nominal.task
+    paths = [dampen.Hold(0.05), dampen.Sinusoid(amplitude=0.04, frequency=2.0, phase=1.0)]
+    members = [nominal, *(replace(nominal, task=replace(task, reference={"tip_w": path})) for path in paths)]
+    closing = dampen.Constraint(high=dampen.Decay(0.3, 0.1, 0.1), low=dampen.Decay(-0.2, -0.06, 0.2))
+    members.append(replace(nominal, task=replace(task, constraint={"tip_w": closing})))
+    members += [replace(m, controller=replace(law, feedforward={"tip_w": 7.0 + 5 * i})) for i, m in enumerate(members)]
+    batch = Batch(nominal)
+    for member, found in zip(members, batch.run(members), strict=True):
+        assert isinstance(found, Tally)
+        single = alone(member, batch.bench_of(member))
+        np.testing.assert_array_equal(found.by_port, single.by_port)
+        np.testing.assert_array_equal(found.whole, single.whole)
+
+
+@dataclass(frozen=True)
+class LearnsFromAll(PointwiseLearning, dampen.AdaptiveBoundary):
+    """Learns from everything that is seen of a step: error at its end, rate, command, and what was learned before."""
+
+    kind: ClassVar[str] = "learns-from-all"
+    relearn: ClassVar = staticmethod(
+        lambda feedforward, coulomb, error, v, command, row: (
+            0.9 * feedforward - row[0] * error - row[1] * v,
+            0.5 * coulomb + row[2] * command * command,
+        )
+    )
+
+    def learning_row(self, setting: Any) -> np.ndarray:
+        return np.array([[0.5, 0.3], [0.3, 0.2], [0.01, 0.02]])
+
+
+def test_a_member_learns_from_the_error_the_rate_and_the_command_of_every_step() -> None:
+    own = replace(scenario(*SHORT), controller=LearnsFromAll())
+    assert in_step(own)
+    bench = Bench(own)
+    stepped = Lockstep([own], [bench])
+    for p, _ in zip(passes(own, bench), stepped.trials(), strict=True):
+        np.testing.assert_allclose(stepped.members.learned_feedforward[0], p.memory["feedforward"], rtol=1e-13, atol=1e-16)
+        np.testing.assert_allclose(stepped.members.learned_coulomb[0], p.memory["coulomb"], rtol=1e-13)
+        assert p.memory["coulomb"].any()
+
+
+@pytest.mark.parametrize("start", ["chained", "reset"])
+def test_a_member_that_breaks_off_in_trial_1_has_two_trials_and_the_others_all(start: str) -> None:
+    nominal = dampen.read_scenario(
+        "string-tip-mass", ["task.trials=4", "task.trial_duration=0.4", "numerics.modes=8", f"task.start={start}"]
+    )
+    late = dampen.Impulse(impulse={"tip_w": 1e30}, duration=0.1, at=0.2, trial=1)
+    members = [nominal, replace(nominal, disturbance=late), replace(nominal, disturbance=dampen.NoDisturbance())]
+    batch = Batch(nominal)
+    found = batch.run(members)
+    for member, tally_of in zip(members, found, strict=True):
+        assert isinstance(tally_of, Tally)
+        single = alone(member, batch.bench_of(member))
+        np.testing.assert_array_equal(tally_of.by_port, single.by_port)
+        np.testing.assert_array_equal(tally_of.whole, single.whole)
+    assert [len(f.whole) for f in found if isinstance(f, Tally)] == [4, 2, 4]
+    assert [f.status for f in found if isinstance(f, Tally)] == ["complete", "diverged", "complete"]

@@ -8,8 +8,11 @@ from itertools import pairwise
 import numpy as np
 import pytest
 from scipy.linalg import expm
+from scipy.signal import butter, sosfiltfilt
 
 import dampen
+from dampen.controllers import norm_optimal_ilc, p_type_ilc
+from dampen.controllers.sampled_plant import under_way
 from dampen.simulation.bench import Bench
 from dampen.simulation.setting import setting_of
 
@@ -114,6 +117,34 @@ def test_norm_optimal_learning_solves_its_normal_equations() -> None:
     np.testing.assert_allclose(u[2], expected, atol=1e-9 * np.abs(u[2]).max())
 
 
+def block_toeplitz(response: np.ndarray) -> np.ndarray:
+    """The lifted matrix, (steps ports, steps ports), of a response (steps, ports, ports)."""
+    steps, ports, _ = response.shape
+    p = np.zeros((steps, ports, steps, ports))
+    for k in range(steps):
+        for i in range(k + 1):
+            p[k, :, i] = response[k - i]
+    return p.reshape(steps * ports, -1)
+
+
+@pytest.mark.parametrize("few", [0, 150])
+def test_factors_and_conjugate_gradients_solve_the_normal_equations(few: int, monkeypatch: pytest.MonkeyPatch) -> None:
+    """One port is seen but has no actuator, one moves but is not seen; factors are kept for the trials that follow."""
+    monkeypatch.setattr(norm_optimal_ilc, "FEW", few)
+    random, weight, ridge = np.random.default_rng(4), np.array([3.0, 0.5, 2.0]), 1e-2
+    response = random.standard_normal((9, 3, 3)) * 0.8 ** np.arange(9)[:, None, None]
+    response[:, :, 1], response[:, 2] = 0.0, 0.0
+    lifted, p = norm_optimal_ilc.Lifted(response), block_toeplitz(response)
+    matrix = p.T @ (np.tile(weight, 9)[:, None] * p) + ridge * np.eye(27)
+    for _ in range(3):
+        right = random.standard_normal((9, 3))
+        np.testing.assert_allclose(lifted(right).ravel(), p @ right.ravel(), atol=1e-13)
+        np.testing.assert_allclose(lifted.back(right).ravel(), p.T @ right.ravel(), atol=1e-13)
+        found = lifted.solve(weight, ridge, right)
+        np.testing.assert_allclose(found.ravel(), np.linalg.solve(matrix, right.ravel()), rtol=1e-9, atol=1e-11)
+    assert (lifted.factors is None) == (few > 0)
+
+
 @pytest.mark.parametrize("delay", [0.0, 0.004, 0.006, 0.01])
 def test_lqg_without_noise_equals_lqr(delay: float) -> None:
     """From rest, nothing unknown: the filter's estimate is exact, and the commands are those of the state fed back."""
@@ -147,6 +178,31 @@ def test_lqg_s_gains_are_those_of_an_independent_recursion() -> None:
     assert np.abs(np.linalg.eigvals(d.a - d.a @ d.correct @ d.c)).max() < 1
 
 
+@pytest.mark.parametrize("factor", [1e-8, 1e8])
+def test_only_ratios_of_lqg_s_weights_and_of_its_noises_count(factor: float) -> None:
+    """Where one port has a weight and another neither weight nor actuator: however small the weight, only the one is asked."""
+    noises = {"force_noise": 0.1, "sensor_noise": 1e-4}
+    weights = {"energy_weight": 1.0, "error_weight": {"tip_w": 1e-4}, "effort_weight": 0.01}
+    law = dampen.LQG(modes=4, **noises, **weights)  # type: ignore[arg-type]
+    other = dampen.LQG(
+        modes=4, energy_weight=factor, error_weight={"tip_w": 1e-4 * factor}, effort_weight=0.01 * factor,
+        **{name: factor * value for name, value in noises.items()},  # type: ignore[arg-type]
+    )  # fmt: skip
+    scenario = case(law, 0.004, actuators={"tip_phi": (dampen.Absent(),)}, task=dampen.Task(trials=1, trial_duration=DURATION))
+    setting = setting_of(scenario, Bench(scenario))
+    for one, same in zip(law.design(setting), other.design(setting), strict=True):
+        np.testing.assert_allclose(same, one, rtol=1e-6, atol=1e-6 * np.abs(one).max())
+
+
+def test_a_delay_of_so_many_periods_has_as_many_commands_under_way_however_it_rounds() -> None:
+    setting = setting_of(case(dampen.PTypeILC()))
+    for dt in (0.1, 0.003, 0.001):
+        for count in range(40):
+            delay = sum([dt] * count)  # not always count * dt
+            assert under_way(replace(setting, dt=dt, delay=delay)) == count
+            assert under_way(replace(setting, dt=dt, delay=delay + 1e-3 * dt)) == count + 1
+
+
 def test_lqg_comes_to_rest_on_its_reference() -> None:
     law = dampen.LQG(modes=16, error_weight={"tip_w": 1e4, "tip_phi": 1e4}, effort_weight=1e-3)
     task = dampen.Task(trials=1, trial_duration=20.0, reference={"tip_w": dampen.Hold(0.03), "tip_phi": dampen.Hold(-0.02)})
@@ -160,6 +216,32 @@ def test_the_inner_loop_alone_is_the_first_trial_of_the_dual_loop() -> None:
     alone, both = dampen.simulate(adaptive), dampen.simulate(dual)
     np.testing.assert_array_equal(alone["y"][0], both["y"][0])
     assert np.abs(alone["y"][1] - both["y"][1]).max() > 1e-4
+
+
+def test_a_backlash_believed_at_torques_is_meant_there_alone() -> None:
+    force, torque = dampen.AssumedBacklash(0.5, 0.4, -0.1), dampen.AssumedBacklash(0.25, 0.1, -0.3)
+    law = dampen.DualLoopAILC(assumed_backlash=force, assumed_torque_backlash=torque)
+    scenario = dampen.read_scenario("he2017", ["task.trials=1"])
+    first, second = (law.compensation(port)[0].row(0.001) for port in scenario.plant.ports)
+    assert (first, second) == ((2.0, -0.1), (4.0, -0.3))
+    np.testing.assert_allclose(law.learning_row(setting_of(scenario))[2], [0.25, 0.1], rtol=1e-15)
+    same = replace(law, assumed_torque_backlash=None)
+    assert [same.assumed_at(port) for port in scenario.plant.ports] == [force, force]
+
+
+def test_a_barrier_acts_where_it_has_a_gain_and_none_acts_nowhere() -> None:
+    limited = dampen.Task(trials=1, trial_duration=DURATION, constraint={"tip_w": 0.2})
+    law = dampen.BoundaryDamping(barrier="log", barrier_gain={"tip_w": 0.5})
+    scenario = case(law, task=limited)
+    setting = setting_of(scenario)
+    np.testing.assert_array_equal(law.law({}, setting).barrier, [0.5, 0.0])
+    assert [law.has_barrier(port) for port in scenario.plant.ports] == [True, False]
+    with pytest.raises(dampen.ArgumentError, match=r"`task.constraint.tip_phi` must be given"):
+        case(replace(law, barrier_gain={"tip_w": 0.5, "tip_phi": 0.1}), task=limited)
+    for off in (replace(law, barrier="none"), dampen.AdaptiveBoundary(barrier="none")):
+        free = case(off, task=replace(limited, constraint={}), bounds={"f": 0.1, "tip_w": 0.1, "tip_phi": 0.1})
+        assert not off.law(off.begin(setting_of(free)), setting_of(free)).barrier.any()
+        assert not off.has_barrier(scenario.plant.ports[0])
 
 
 def test_open_loop_and_feedforward_command_what_they_are_told() -> None:
@@ -192,6 +274,17 @@ def test_a_q_filter_keeps_what_is_slow_and_drops_what_is_fast() -> None:
     np.testing.assert_allclose(kept[:, 0], slow[200:-200], atol=2e-3)
     assert np.abs(kept[:, 1]).max() < 0.01
     assert low_pass(slow, None, 0.001) is slow
+    assert low_pass(slow, 500.0, 0.001) is slow
+
+
+def test_a_q_filter_treats_the_ends_as_scipy_s_own_does() -> None:
+    """Mirrored by three samples for each coefficient, or by as many as a short trial has."""
+    signal = np.random.default_rng(2).standard_normal((40, 2))
+    section = butter(2, 20.0, fs=1000.0, output="sos")
+    np.testing.assert_array_equal(p_type_ilc.low_pass(signal, 20.0, 0.001), sosfiltfilt(section, signal, axis=0))
+    np.testing.assert_array_equal(
+        p_type_ilc.low_pass(signal[:4], 20.0, 0.001), sosfiltfilt(section, signal[:4], axis=0, padlen=3)
+    )
 
 
 def test_lqg_brings_the_port_that_is_asked_to_its_reference_when_another_has_no_actuator() -> None:

@@ -13,7 +13,7 @@ import pytest
 import dampen
 from dampen.analysis.credit import Credit, Variant, credit, ideal_actuators, variants
 from dampen.analysis.merits import merits
-from dampen.controllers.base import Memory, PortLaw, Setting, total
+from dampen.controllers.base import Memory, PortLaw, Setting, Trial, total
 from dampen.controllers.partial import PartialLaw, taken_apart
 from dampen.controllers.pointwise import PointwiseLearning
 from dampen.simulation.batch import Batch, Tally
@@ -129,6 +129,27 @@ def test_a_law_through_samples_keeps_what_can_be_left_out_around_it() -> None:
     lqg = dampen.read_scenario("he2017-sampled", [*SHORT, "task.trials=2", "controller.kind=lqg"])
     names = [variant.name for variant in credit(lqg).variants]
     assert names == ["as it is", "no control", "frequencies held", "no control, frequencies held", "ideal actuator"]
+
+
+def test_a_law_without_its_barrier_asks_for_no_constraint_and_one_that_forgets_begins_every_trial_anew() -> None:
+    scenario = he2017()
+    law, port = scenario.controller, scenario.plant.ports[0]
+    beyond = replace(scenario.task, constraint={"tip_w": 0.01, "tip_phi": 0.01})
+    for leave_out, shape in (((), "log"), (("barrier",), "none")):
+        partial = PartialLaw(law, leave_out=leave_out)
+        assert (partial.barrier_shape, partial.has_barrier(port)) == (shape, shape == "log")
+    assert replace(scenario, controller=PartialLaw(law, leave_out=("barrier",)), task=beyond).task == beyond
+    with pytest.raises(dampen.ArgumentError, match="constraint"):
+        replace(scenario, controller=PartialLaw(law, leave_out=("damping",)), task=beyond)
+
+    setting = setting_of(scenario)
+    memory = {name: np.full((setting.steps, 2), 0.3) for name in law.begin(setting)}
+    v = np.linspace(-1, 1, 2 * setting.steps).reshape(-1, 2)
+    trial = Trial(0, np.zeros((setting.steps + 1, 2)), v, v)
+    for forget in (False, True):
+        learned = PartialLaw(law, forget=forget).learn(memory, trial, setting)
+        for name, wanted in (law.begin(setting) if forget else law.learn(memory, trial, setting)).items():
+            np.testing.assert_array_equal(learned[name], wanted)
 
 
 def test_without_control_there_is_nothing_to_take_apart() -> None:

@@ -37,6 +37,11 @@ LOOPS = {
     "hysteresis": ("he2017-hysteresis", FEW),
     "adaptive": ("euler-bernoulli-payload", FEW),
     "damping": ("string-tip-mass", ["task.trials=2"]),
+    "lqg": (
+        "string-tip-mass",
+        ["task.trials=2", "numerics.mode=sampled", "sampling.period=0.004", "controller={kind='lqg',error_weight={tip_w=100.0}}"],
+    ),
+    "norm-optimal": ("string-tip-mass", ["task.trials=2", "controller={kind='norm-optimal-ilc',error_weight={tip_w=100.0}}"]),
     "p-type": (
         "he2017",
         [*FEW, "controller={kind='p-type-ilc',learning={tip_w=0.5,tip_phi=0.3},damping={tip_w=2.0,tip_phi=2.0}}"],

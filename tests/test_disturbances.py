@@ -228,6 +228,55 @@ def test_the_frequency_of_a_record_is_that_of_its_signal_or_little_more() -> Non
     assert Recording(t, {"a": noise}).highest_frequency("a") == pytest.approx(20, rel=0.02)
 
 
+def test_a_record_may_begin_at_any_time_and_have_rows_at_any_distance() -> None:
+    wave = Recording(np.array([1.0, 2.0, 4.0]), {"a": np.array([0.5, 1.5, 3.5])})
+    t = np.array([0.0, 1.0, 2.5, 4.0, 5.5, 7.0])
+    np.testing.assert_allclose(wave.at("a", t), [0, 0.5, 2.0, 3.5, 0, 0])
+    np.testing.assert_allclose(wave.at("a", t, "hold"), [0.5, 0.5, 2.0, 3.5, 3.5, 3.5])
+    np.testing.assert_allclose(wave.at("a", t, "repeat"), [2.5, 0.5, 2.0, 0.5, 2.0, 0.5])
+
+
+def test_a_short_burst_in_a_coarse_record_is_as_fast_as_it_is() -> None:
+    """50 Hz for half a second, in rows of a millisecond, within a minute of rows that are a second apart."""
+    burst = np.arange(30, 30.5, 1e-3)
+    t = np.concatenate([np.arange(30), burst, np.arange(31, 61)])
+    a = np.where((t >= 30) & (t <= 30.5), np.sin(2 * np.pi * 50 * (t - 30)) * np.sin(2 * np.pi * (t - 30)) ** 2, 0.0)
+    assert 50 < Recording(t, {"a": a}).highest_frequency("a") < 60
+
+
+HEADERS = {
+    "tabs": "time\tforce\n0\t1\n1\t2\n",
+    "semicolons": "time;force\n0;1\n1;2\n",
+    "quotes": "\"time\", 'force'\n0,1\n1,2\n",
+    "a hash": "# time, force\n0,1\n1,2\n",
+    "a mark of the encoding": "\ufefftime,force\n0,1\n1,2\n",
+    "blank lines": "\ntime,force\n\n0,1\n\n1,2\n\n",
+}
+
+
+@pytest.mark.parametrize("how", HEADERS)
+def test_columns_are_found_as_spreadsheets_and_programs_write_them(tmp_path: Path, how: str) -> None:
+    (tmp_path / "r.csv").write_text(HEADERS[how], encoding="utf-8")
+    source = dampen.Recorded(str(tmp_path / "r.csv"), {"tip_w": "force"})
+    np.testing.assert_allclose(source.at_ports(0, np.array([0.0, 0.25, 1.0]), SITE)[:, 0], [1.0, 1.25, 2.0])
+
+
+def test_a_record_in_the_older_format_of_netcdf_is_one_too_and_rows_must_be_of_equal_number(tmp_path: Path) -> None:
+    import netCDF4
+
+    path = tmp_path / "r.nc"
+    with netCDF4.Dataset(path, "w", format="NETCDF3_CLASSIC") as file:
+        for name, values in {"time": [0.0, 1.0], "force": [1.0, 3.0], "long": [1.0, 2.0, 3.0]}.items():
+            file.createDimension(name, len(values))
+            file.createVariable(name, "f8", (name,))[:] = values
+    source = dampen.Recorded(str(path), {"tip_w": "force"})
+    np.testing.assert_allclose(source.at_ports(0, np.array([0.5]), SITE)[:, 0], 2.0)
+    with pytest.raises(
+        dampen.ArgumentError, match=r"must have rows of equal number in `r.nc`, but has `time` \(2,\), `long` \(3,\)"
+    ):
+        dampen.Recorded(str(path), {"tip_w": "long"})
+
+
 def test_outside_a_record_there_is_nothing_or_the_record_again(tmp_path: Path) -> None:
     record(tmp_path / "r.csv", 201, 1.0)
     once = dampen.Recorded(str(tmp_path / "r.csv"), {"tip_w": "force"})

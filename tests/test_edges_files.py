@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import shutil
 from collections.abc import Callable
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -156,3 +157,23 @@ def test_a_study_folder_with_parts_missing_or_edited_is_refused(study: Path, tmp
 def test_a_comparison_that_is_none_is_refused(content: str, tmp_path: Path) -> None:
     (tmp_path / "comparison.json").write_bytes(content.encode("utf-8", "surrogateescape"))
     refusal(dampen.open_comparison, tmp_path)
+
+
+def test_a_file_counts_the_trial_in_which_the_motion_broke_off_as_begun_and_not_as_finished(tmp_path: Path) -> None:
+    """Before it is closed, too: a run may be killed in between."""
+
+    class Watched(FileStore):
+        def close(self, status: str, trials: int) -> dampen.Result:
+            counted.append(int(self.file.getncattr("trials_finished")))
+            return super().close(status, trials)
+
+    counted: list[int] = []
+    blow = dampen.Impulse(impulse={"tip_w": 1e30}, duration=0.005, at=0.0, trial=1)
+    case = dampen.read_scenario(
+        "he2017", ["task.trials=3", "task.trial_duration=0.01", "numerics.modes=4", "output.every=10", "controller.kind=none"]
+    )
+    result = dampen.simulate(replace(case, disturbance=blow), store=Watched(tmp_path / "r.nc"), compile=False)
+    assert (result.status, result.trials, counted) == ("diverged", 1, [1])
+    for name, variable in result.layout.variables.items():
+        kept = result[name]
+        assert (getattr(kept, "units", ""), kept.long_name, kept.dtype) == (variable.unit, variable.meaning, variable.kind)

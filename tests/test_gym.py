@@ -82,6 +82,43 @@ def test_a_continuous_scenario_is_stepped_as_open_loop_commands_step_it() -> Non
     np.testing.assert_allclose(found[-1], run["y"][1, -1], rtol=0, atol=1e-12)
 
 
+MOVES = {"tip_w": dampen.Sinusoid(amplitude=0.02, frequency=1.0, ramp=0.1), "tip_phi": dampen.Hold(0.01)}
+
+
+@pytest.mark.parametrize("start", ["chained", "reset"])
+def test_noise_and_a_reference_are_seen_as_the_runs_own_law_sees_them(start: str) -> None:
+    sampling = replace(SAMPLED.sampling, noise={"tip_w": 1e-3, "tip_phi": 2e-3}, command_limit={"tip_w": 3.0, "tip_phi": 50.0})
+    case = replace(SAMPLED, task=replace(SAMPLED.task, start=start, reference=MOVES), sampling=sampling)
+    run = dampen.simulate(case)
+    env = BeamEnv(case, command_limit=100.0)
+    steps = replayed(case, run, env)
+    shape, each = run["issued"][:].shape, 3
+    followed, energy = run["reference"][:][:, each:-each:each], run["energy"][:][:, each:-each:each]
+    seen = np.array([s["observation"] for s in steps]).reshape(*shape[:2], -1)[:, :-1]
+    np.testing.assert_allclose(seen[..., :2] * env.scaling.error + followed, run["reading"][:][:, 1:], rtol=0, atol=1e-9)
+    np.testing.assert_allclose(seen[..., 2:4] * env.scaling.rate, run["rate_estimate"][:][:, 1:], rtol=0, atol=1e-9)
+    np.testing.assert_allclose(seen[..., 4:6] * env.scaling.error, followed, rtol=0, atol=1e-15)
+    told = {name: np.array([s[name] for s in steps]).reshape(*shape[:2], -1)[:, :-1] for name in ("energy", "error", "time")}
+    np.testing.assert_allclose(told["energy"][..., 0], energy, rtol=1e-9)
+    np.testing.assert_allclose(told["error"], run["y"][:][:, each:-each:each] - followed, rtol=0, atol=1e-9)
+    np.testing.assert_allclose(told["time"][0, :, 0], run.time[each:-each:each], rtol=1e-12)
+    first = env.reset()[0]
+    np.testing.assert_allclose(first[:2] * env.scaling.error + run["reference"][0, 0], run["reading"][0, 0], rtol=0, atol=1e-15)
+    np.testing.assert_array_equal(first[2:4], 0.0, "the estimator begins at rest")
+
+
+@pytest.mark.parametrize(("push", "limits"), [(-20.0, (-0.05, 10.0)), (20.0, (-10.0, 0.17))])
+def test_an_episode_ends_at_the_first_step_beyond_either_limit(push: float, limits: tuple[float, float]) -> None:
+    case = replace(scenario(*FEW), controller=dampen.OpenLoop(command={"tip_w": push}), claims=None)
+    case = replace(case, task=replace(case.task, constraint={"tip_w": limits}))
+    y = dampen.simulate(case)["y"][0, 1:, 0]
+    first = int(np.argmax((y <= limits[0]) | (y >= limits[1])))
+    assert first > 3
+    env = BeamEnv(case, command_limit=20.0)
+    env.reset()
+    assert [env.step(np.array([push / 20.0, 0.0]))[2] for _ in range(first + 1)] == [False] * first + [True]
+
+
 @pytest.mark.parametrize("name", ["he2017", "he2017-sampled", "flexible-arm-point-to-point"])
 def test_the_environment_passes_gymnasiums_checks_without_a_warning(name: str) -> None:
     duration = () if "arm" in name else ("task.trial_duration=0.2", "numerics.modes=12")

@@ -201,6 +201,7 @@ def test_a_sampled_loop_that_grows_grows_in_a_run_at_its_rate() -> None:
     assert answer.slowest is None
     assert answer.rate < -10
     assert "not stable" in answer.notes[0]
+    assert f"grows by {-answer.rate:.3g} 1/s" in case.controller.notes(setting_of(case))[0]
     run = dampen.simulate(replace(case, task=dampen.Task(trials=1, trial_duration=1.0)))
     growth = np.polyfit(run.time[500:], np.log(run["energy"][0][500:]), 1)[0]
     assert growth == pytest.approx(-2 * answer.rate, rel=0.03)

@@ -94,7 +94,8 @@ class LQG(SampledFeedback):
     def search(self, setting: Setting) -> Mapping[str, str]:
         """How many modes; the effort's weight, such that the cheapest and the dearest command damp a port by a thousand and a
         hundredth of its impedance; weights of all ports' displacements against their static stiffness; the sensors' noise
-        against what the assumed force moves at rest. The energy's weight and the force's noise stay: only ratios count."""
+        against what the assumed force moves at rest. The energy's weight and the force's noise stay, and the ranges are in
+        units of these: only ratios count."""
         acting = scales(setting)
         if not acting:
             return {}
@@ -102,12 +103,13 @@ class LQG(SampledFeedback):
         square = {port.name: float(np.mean(b[p] ** 2)) for p, port in enumerate(setting.ports)}
         damped = float(np.exp(np.mean([np.log(square[s.port.name] * s.impedance**2) for s in acting])))
         soft = float(np.exp(np.mean([-np.log(s.stiffness) for s in acting])))
-        omega, shapes = elastic(setting)
+        energy, (omega, shapes) = self.energy_weight or 1.0, elastic(setting)
         give = np.sum((shapes / omega) ** 2, axis=1)
-        found = {f"error_weight.{p.name}": span(1 / c, 1e-2, 1e4) for p, c in zip(setting.ports, give, strict=True) if c > 0}
+        found = {f"error_weight.{p.name}": span(energy / c, 1e-2, 1e4) for p, c in zip(setting.ports, give, strict=True) if c > 0}
         most = min(12, setting.model().count)
         found |= {"modes": f"2:{most}"} if most > 2 else {}
-        return {**found, "effort_weight": span(1 / damped, 1e-6, 1e4), "sensor_noise": span(self.force_noise * soft, 1e-5, 1)}
+        found["effort_weight"] = span(energy / damped, 1e-6, 1e4)
+        return {**found, "sensor_noise": span(self.force_noise * soft, 1e-5, 1)}
 
     def row(self, setting: Setting) -> Array:
         d = self.design(setting)
@@ -128,14 +130,15 @@ class LQG(SampledFeedback):
         weight = np.zeros_like(a)
         weight[: 2 * n, : 2 * n] = self.energy_weight * np.diag(np.concatenate([omega**2, np.ones(n)]))
         weight += c.T @ (setting.by_port(self.error_weight)[:, None] * c)
-        effort, shaken = self.effort_weight * np.eye(ports), self.force_noise**2 * self._shaking(setting, len(a))
+        shaking, one = self._shaking(setting, len(a)), np.eye(ports)
         none = "Argument `controller` has weights for which there is no LQG design"
         try:
             with np.errstate(over="ignore", invalid="ignore", divide="ignore"):  # what comes of it is checked
-                cost = solve_discrete_are(a, b, weight, effort)
-                spread = solve_discrete_are(a.T, c.T, shaken, self.sensor_noise**2 * np.eye(ports))
-                hold = np.linalg.solve(effort + b.T @ cost @ b, b.T @ cost @ a)
-                correct = np.linalg.solve(c @ spread @ c.T + self.sensor_noise**2 * np.eye(ports), c @ spread).T
+                # only ratios count: in units of the effort's weight and of the sensors' noise, however small these are
+                cost = solve_discrete_are(a, b, weight / self.effort_weight, one)
+                spread = solve_discrete_are(a.T, c.T, np.square(self.force_noise / self.sensor_noise) * shaking, one)
+                hold = np.linalg.solve(one + b.T @ cost @ b, b.T @ cost @ a)
+                correct = np.linalg.solve(c @ spread @ c.T + one, c @ spread).T
                 rest, feed = at_rest(a, b, c, self._wanted(setting))
         except (LinAlgError, ValueError) as error:
             raise ArgumentError(f"{none}: {error}.") from None

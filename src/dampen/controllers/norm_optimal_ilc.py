@@ -62,14 +62,15 @@ class NormOptimalILC(Controller):
         return 5e-11 * unknowns**3 if unknowns <= LARGEST else 2e-4 * trials * unknowns
 
     def search(self, setting: Setting) -> Mapping[str, str]:
-        """The weight of a change, in units of what a unit of command moves at rest; weights of the errors of all ports but the
-        first, which has 1; and the feedback of every port with an actuator. Every port's error teaches every command."""
+        """The weight of a change, in units of what the error weighs that a unit of command makes at rest; weights of the errors
+        of all ports but the first, in units of that one's own; and the feedback of every port with an actuator. Every port's
+        error teaches every command."""
         acting = scales(setting)
         if not acting:
             return {}
-        soft = max(1 / s.stiffness for s in acting)
-        found = {"change_weight": span(soft**2, 1e-6, 10)}
-        found |= {f"error_weight.{port.name}": "0.01:100:log" for port in setting.ports[1:]}
+        soft, first = max(1 / s.stiffness for s in acting), self.error_weight.get(setting.ports[0].name, 1.0) or 1.0
+        found = {"change_weight": span(first * soft**2, 1e-6, 10)}
+        found |= {f"error_weight.{port.name}": span(first, 0.01, 100) for port in setting.ports[1:]}
         return {**found, **feedback(acting)}
 
     def begin(self, setting: Setting) -> Memory:
