@@ -10,10 +10,10 @@ from dampen.controllers.base import Array, Setting
 from dampen.signals.base import Signal
 
 
-def feedforward(given: Mapping[str, float | Signal], setting: Setting, trial: int = 0) -> Array:
-    """(steps, ports) feedforward [N, N m]; zero where none is given."""
+def feedforward(given: Mapping[str, float | Signal], setting: Setting) -> Array:
+    """(steps, ports) feedforward [N, N m], the same in every trial; zero where none is given."""
     columns = []
     for port in setting.ports:
         value = given.get(port.name, 0.0)
-        columns.append(value.sample(setting.times, trial) if isinstance(value, Signal) else np.full(setting.steps, float(value)))
+        columns.append(value.sample(setting.times, 0) if isinstance(value, Signal) else np.full(setting.steps, float(value)))
     return np.column_stack(columns)

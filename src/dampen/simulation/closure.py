@@ -109,7 +109,6 @@ def confirm(port, stages, v_free, g, dt):
         v = v_free + g * hold
         room = UNMOVED * min(port.high - port.y, port.y - port.low)
         if port.stiffness > 0.0 or not dt * abs(v - port.v_middle) <= room:
-            port.v_middle = v
             port.middle = port.feedforward - potential_force(port, v, dt)
         return still_sticks(port, stages, hold)
     return still_slips(port, stages, v_free, g, w, h, dt)
