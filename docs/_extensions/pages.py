@@ -10,6 +10,8 @@ from pathlib import Path
 from tempfile import mkdtemp
 from typing import Any
 
+from docutils import nodes
+
 from dampen.report.style import PALETTES
 
 HERE = Path(__file__).parent
@@ -66,6 +68,16 @@ def _begin(app: Any, docname: str, source: list[str]) -> None:
     os.environ[SCRATCH] = str(folder)
 
 
+def _name_pictures(app: Any, tree: nodes.document, docname: str) -> None:
+    """A picture without words of its own is called after its section, for those who hear the page."""
+    for image in tree.findall(nodes.image):
+        section = image
+        while section is not None and not isinstance(section, nodes.section):
+            section = section.parent
+        if section is not None and not image.get("alt"):
+            image["alt"] = f"Figure: {section.next_node(nodes.title).astext()}"
+
+
 def _end(app: Any, exception: Exception | None) -> None:
     shutil.rmtree(app.dampen_top, ignore_errors=True)
 
@@ -74,5 +86,6 @@ def setup(app: Any) -> dict[str, Any]:
     """Join the build."""
     app.connect("builder-inited", _setup)
     app.connect("source-read", _begin)
+    app.connect("doctree-resolved", _name_pictures)
     app.connect("build-finished", _end)
     return {"version": "1", "parallel_read_safe": True, "parallel_write_safe": True}
