@@ -6,12 +6,12 @@ from abc import abstractmethod
 
 import numpy as np
 
-from dampen.component import Component
+from dampen.family import Family
 
 Array = np.ndarray
 
 
-class Signal(Component):
+class Signal(Family):
     """A wanted displacement, a limit that moves, a feedforward: a function of time."""
 
     @abstractmethod

@@ -59,8 +59,7 @@ class Bench:
         self.step = exact_step(self.modes, self.motion, numerics.step)
         self.midpoints = (np.arange(scenario.steps) + 0.5) * numerics.step
         self.x = output_points(scenario)
-        with blame(plant, "initial_state"):
-            self.start = plant.initial_state(self.modes)
+        self.start = plant.initial_state(self.modes)
         if not all(np.all(np.isfinite(part)) for part in self.start):
             raise ArgumentError("Argument `plant.initial` must be a shape and a rate that stay finite along the structure.")
         check_ports(scenario, self.modes)

@@ -9,12 +9,12 @@ import numpy as np
 
 from dampen.arguments import BENCH, PROGRESS, SCENARIO, STORE, TRUTH, takes
 from dampen.controllers.base import Setting
-from dampen.own import blame
 from dampen.simulation.account import accounts
 from dampen.simulation.bench import Bench
 from dampen.simulation.digital import Sampler
 from dampen.simulation.interrupt import interrupt_noted
 from dampen.simulation.kernel import Record
+from dampen.simulation.memory import begun, never_learned
 from dampen.simulation.passes import passes
 from dampen.simulation.result import Layout, Result
 from dampen.simulation.scenario import Scenario
@@ -51,8 +51,8 @@ def simulate(
     bench = bench or Bench(scenario)
     bench.check_start(scenario)
     setting = setting_of(scenario, bench=bench, compile=compile)
-    with blame(scenario.controller, "notes"):
-        warnings = [*bench.warnings, *scenario.controller.notes(setting)]
+    unchanged = never_learned(scenario.controller, begun(scenario, setting))
+    warnings = [*bench.warnings, *scenario.controller.notes(setting), *unchanged]
     store = store or MemoryStore()
     store.open(Layout.of(scenario, bench.x, setting), warnings)
     status, done = "complete", 0
