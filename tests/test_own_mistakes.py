@@ -2,25 +2,29 @@
 
 from __future__ import annotations
 
+import re
 import sys
 from collections.abc import Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from functools import cached_property
 from pathlib import Path
-from typing import Any
+from typing import Annotated, Any
 
 import numpy as np
 import pytest
+from annotated_types import Ge
 
 import dampen
 from dampen.family import Family, _declared
+from dampen.report.compare.tables import how
 from dampen.scenarios.kinds import FAMILIES
 from dampen.scenarios.read import shipped
-from dampen.simulation.bench import output_points
+from dampen.simulation.bench import Bench, output_points
 from dampen.simulation.memory import begun
 from dampen.simulation.result import Layout
 from dampen.simulation.setting import setting_of
 from dampen.simulation.variables import TAKEN
+from dampen.studies.compare.entries import Entry, entry_of
 
 FEW = ["task.trials=2", "numerics.modes=8", "numerics.step=0.01"]
 HOOKS = sorted(
@@ -251,3 +255,58 @@ def test_memories_that_never_change_are_noted() -> None:
     assert result.warnings[0] == "tests.test_own_mistakes:Misspelt defines no `learn`, only `lern`: its memory `u` never changes."
     result = dampen.simulate(scenario_under(Learner(), settings=[*FEW, "task.trials=1"]))
     assert not any("never change" in line for line in result.warnings)
+
+
+@dataclass(frozen=True)
+class Searching(dampen.Controller):
+    """A law whose `search` is put in."""
+
+    gain: Annotated[float, Ge(0)] = 1.0
+    many: int = 2
+    by_port: dict[str, float] = field(default_factory=dict)
+
+    def law(self, memory: Any, setting: Any) -> Any:
+        return dampen.PortLaw(np.zeros((setting.steps, len(setting.ports))), damping=np.full(len(setting.ports), self.gain))
+
+
+FORM = "LOW:HIGH or LOW:HIGH:log"
+SEARCHES = {
+    "form": ({"gain": "0.01-10"}, f"for `gain` must have a range like {FORM}, but has '0.01-10'"),
+    "empty": ({"gain": ""}, f"for `gain` must have a range like {FORM}, but has ''"),
+    "unknown": ({"gian": "0:1"}, "names `gian`, which is no parameter of it; did you mean `gain`?"),
+    "tuple": ({"gain": (0, 1)}, "must return a dict of texts, but returns {'gain': (0, 1)}"),
+    "list": (["gain"], "must return a dict of texts, but returns ['gain']"),
+    "log": ({"gain": "-1:1:log"}, "for `gain` must have LOW > 0 for a logarithmic range, but has -1"),
+    "order": ({"gain": "1:0"}, "for `gain` must have a range with LOW < HIGH, but has 1:0"),
+    "end": ({"gain": "-1:2"}, "for `gain` cannot be -1.0: Argument `controller.gain` must be >= 0, but is -1.0"),
+    "whole": ({"many": "0.2:0.8"}, "for `many` must have a range with a whole number in it, but has '0.2:0.8'"),
+    "key": ({"gain.tip_w": "0:1"}, "for `gain`: Argument `gain` must be a number"),
+    "table": ({"by_port": "0:1"}, "for `by_port`: Argument `by_port` must be a table, but is 0.5"),
+}
+
+
+def contender(monkeypatch: pytest.MonkeyPatch, search: Any) -> Entry:
+    monkeypatch.setattr(Searching, "search", search, raising=False)
+    scenario = dampen.read_scenario("he2017", FEW)
+    return entry_of(scenario, "tests.test_own_mistakes:Searching", Bench(scenario))
+
+
+@pytest.mark.parametrize("mistake", list(SEARCHES))
+def test_a_mistake_in_search_names_it(mistake: str, monkeypatch: pytest.MonkeyPatch) -> None:
+    returned, words = SEARCHES[mistake]
+    watched = type("Watched", (Searching,), {"search": lambda self, setting: returned}).search  # type: ignore[attr-defined]
+    with pytest.raises(dampen.ArgumentError, match=re.escape(words)) as error:
+        contender(monkeypatch, watched)
+    assert len(error.value.lines) == 1
+    assert ":Searching.search " in str(error.value)
+
+
+def test_a_law_without_search_is_not_said_to_be_in_the_middle_of_ranges(monkeypatch: pytest.MonkeyPatch) -> None:
+    assert contender(monkeypatch, dampen.Controller.search).start.untuned == "defines no `search`"
+    assert contender(monkeypatch, lambda self, setting: {}).start.untuned == "its `search` names no gains"
+    assert contender(monkeypatch, lambda self, setting: {"gain": "0:2"}).start.untuned == ""
+    scenario = dampen.read_scenario("he2017", FEW)
+    found = dampen.compare(scenario, ["none", "tests.test_own_mistakes:Misspelt"], budget=0)
+    assert [how(c).partition(";")[0] for c in found.contenders[1:]] == [
+        "none", "as it is: defines no `search`, so it was not tuned",
+    ]  # fmt: skip
