@@ -16,6 +16,7 @@ from annotated_types import Ge
 
 import dampen
 from dampen.family import Family, _declared
+from dampen.listing import listing
 from dampen.report.compare.tables import how
 from dampen.scenarios.kinds import FAMILIES
 from dampen.scenarios.read import shipped
@@ -310,3 +311,57 @@ def test_a_law_without_search_is_not_said_to_be_in_the_middle_of_ranges(monkeypa
     assert [how(c).partition(";")[0] for c in found.contenders[1:]] == [
         "none", "as it is: defines no `search`, so it was not tuned",
     ]  # fmt: skip
+
+
+def test_an_unknown_variable_is_told_with_those_that_there_are() -> None:
+    result = dampen.simulate(scenario_under(Learner(), settings=[*FEW, "task.trials=1"]))
+    with pytest.raises(dampen.ArgumentError, match=r"no variable `comand`; did you mean `command`\? Known here: y, .* u,"):
+        result["comand"]
+    with pytest.raises(KeyError) as error:
+        result["feedforward"]
+    assert "u" in str(error.value).partition("known here: ")[2].split(", ")
+    assert str(error.value).startswith("This result has no variable `feedforward`; known here: y,")
+
+
+OWN_LAW = """
+from typing import Annotated
+from annotated_types import Ge, Unit
+from typing_extensions import Doc
+
+
+@dataclass(frozen=True)
+class Law(dampen.Controller):
+    '''Pushes back.'''
+
+    gain: Annotated[float, Ge(0), Unit("N s/m"), Doc("how hard")] = 2.0
+
+    def law(self, memory, setting):
+        return dampen.PortLaw(np.zeros((setting.steps, len(setting.ports))))
+"""
+
+
+def test_own_parameters_are_listed(module: Any, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    name = module(OWN_LAW)
+    monkeypatch.chdir(tmp_path)
+    lines = listing(f"{name}:Law").splitlines()
+    assert lines[0] == f'[controller] kind = "{name}:Law"    Pushes back.'
+    assert lines[1].split() == ["gain", "2.0", "N", "s/m", ">=", "0,", "how", "hard"]
+    with pytest.raises(dampen.ArgumentError, match=f"Argument `kind` names '{name}:Lew', which cannot be loaded: AttributeError"):
+        listing(f"{name}:Lew")
+    with pytest.raises(dampen.ArgumentError, match=r"must name a subclass of one of dampen.Plant, .* but '.*:np' is none"):
+        listing(f"{name}:np")
+
+
+def test_a_class_that_is_not_frozen_is_told_at_its_own_line(module: Any, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    name = module(OWN_LAW.replace("(frozen=True)", ""))
+    monkeypatch.chdir(tmp_path)
+    line = OWN_LAW.splitlines().index("@dataclass(frozen=True)") + 5
+    with pytest.raises(dampen.ArgumentError, match=rf"a component must be a frozen dataclass, .* \({name}.py, line {line}\)\.$"):
+        listing(f"{name}:Law")
+
+
+def test_annotations_that_mean_nothing_are_told(module: Any, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    name = module(OWN_LAW.replace("Annotated[float,", "Annotated['flot',"))
+    monkeypatch.chdir(tmp_path)
+    with pytest.raises(dampen.ArgumentError, match="whose parameters cannot be read: NameError: name 'flot' is not defined"):
+        listing(f"{name}:Law")

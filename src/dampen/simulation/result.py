@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from dampen.component import ArgumentError
+from dampen.component import ArgumentError, suggestion
 from dampen.controllers.base import Setting
 from dampen.simulation.memory import begun
 from dampen.simulation.scenario import Scenario
@@ -68,6 +68,18 @@ def _check_fields(scenario: Scenario, learned: Collection[str]) -> None:
             raise ArgumentError(f"Argument `plant` has a field `{name}`, which {why}; give it another one.")
 
 
+class UnknownVariable(ArgumentError, KeyError):
+    """A result has no variable of this name."""
+
+    def __init__(self, name: str, known: Collection[str]):
+        near = suggestion(str(name), known)
+        all_known = "" if near.endswith(".") else f" Known here: {', '.join(known)}."
+        super().__init__(f"This result has no variable `{name}`{near}{all_known}")
+
+    def __str__(self) -> str:
+        return "\n".join(self.lines)
+
+
 @dataclass
 class Result:
     """What a run left. `result["y"][3]` is the port motion of trial 3; `result.dataset` is everything as an xarray Dataset.
@@ -90,6 +102,8 @@ class Result:
 
     def __getitem__(self, name: str) -> Any:
         """All trials of a variable, (trial, ...); from a file, read when indexed."""
+        if name not in self.layout.variables:
+            raise UnknownVariable(name, self.layout.variables)
         return self.arrays[name]
 
     @property
