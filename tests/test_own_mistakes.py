@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 import sys
 from collections.abc import Iterator
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from functools import cached_property
 from pathlib import Path
 from typing import Annotated, Any
@@ -365,3 +365,37 @@ def test_annotations_that_mean_nothing_are_told(module: Any, tmp_path: Path, mon
     monkeypatch.chdir(tmp_path)
     with pytest.raises(dampen.ArgumentError, match="whose parameters cannot be read: NameError: name 'flot' is not defined"):
         listing(f"{name}:Law")
+
+
+WRONG_SHAPES: list[tuple[str, type[Any], str, Any, str]] = [
+    ("plant", dampen.TimoshenkoBeam, "initial_ports", (), "must give a number for each of 2 ports, but gives 0"),
+    (
+        "plant",
+        dampen.TimoshenkoBeam,
+        "initial_state",
+        (np.zeros(3), np.zeros(8)),
+        r"two arrays of shape \(8,\), but gives \(3,\)",
+    ),
+    ("disturbance", dampen.NoDisturbance, "at_ports", np.zeros(3), "failed: ValueError"),
+    ("disturbance", dampen.NoDisturbance, "base_acceleration", np.zeros(3), "failed: ValueError"),
+    ("actuator", dampen.Backlash, "start", (), "must give 1 numbers, but gives 0"),
+    ("controller", dampen.DualLoopAILC, "learning_row", np.zeros((1, 1)), "learn failed: IndexError"),
+    ("reference", dampen.Hold, "sample", 0.0, r"must give values of shape \(1,\), but gives \(\)"),
+]
+
+
+@pytest.mark.parametrize(("part", "cls", "name", "value", "words"), WRONG_SHAPES, ids=[row[2] for row in WRONG_SHAPES])
+def test_wrong_shapes_are_told(part: str, cls: type[Any], name: str, value: Any, words: str) -> None:
+    needed = (0.01,) if cls is dampen.Hold else ()
+    mine = dataclass(frozen=True)(type("Mine", (cls,), {"__module__": "mine", name: lambda self, *given: value}))(*needed)
+    case = dampen.read_scenario("he2017", FEW)
+
+    def run() -> None:
+        changed = {"actuator": {"actuators": {"tip_w": (mine,)}}}.get(part, {part: mine})
+        if part == "reference":
+            changed = {"task": replace(case.task, reference={"tip_w": mine})}
+        dampen.simulate(replace(case, **changed))
+
+    with pytest.raises(dampen.ArgumentError, match=f"mine:Mine.*{words}") as error:
+        run()
+    assert len(error.value.lines) == 1

@@ -9,7 +9,7 @@ import numpy as np
 
 from dampen.component import ArgumentError, listed, own_name
 from dampen.controllers.base import Controller, Memory, Setting, Trial
-from dampen.own import own
+from dampen.own import blame, own
 from dampen.simulation.scenario import Scenario
 from dampen.simulation.variables import TAKEN, why_not
 
@@ -17,7 +17,8 @@ from dampen.simulation.variables import TAKEN, why_not
 def begun(scenario: Scenario, setting: Setting) -> Memory:
     """The memories of the scenario's law before trial 0."""
     controller = scenario.controller
-    memory = controller.begin(setting)
+    with blame(controller, "begin"):  # its own, or one that it inherits and leads astray
+        memory = controller.begin(setting)
     if own(type(controller)):
         taken = TAKEN | {name for name, _ in scenario.plant.fields}
         shape = (setting.steps, len(setting.ports))
@@ -35,7 +36,8 @@ def begun(scenario: Scenario, setting: Setting) -> Memory:
 
 def after(controller: Controller, before: Memory, trial: Trial, setting: Setting, whole: bool = True) -> Memory:
     """What the law makes of its memories after a trial; what it learns of one that did not go to its end need not be finite."""
-    memory = controller.learn(before, trial, setting)
+    with blame(controller, "learn"):
+        memory = controller.learn(before, trial, setting)
     if own(type(controller)):
         shapes = [{name: np.shape(value) for name, value in one.items()} for one in (before, memory)]
         if shapes[0] != shapes[1]:

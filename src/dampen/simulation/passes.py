@@ -10,6 +10,7 @@ import numpy as np
 
 from dampen.component import ArgumentError, own_name
 from dampen.controllers.base import Controller, PortLaw, Setting, Trial
+from dampen.own import blame
 from dampen.simulation.bench import Bench
 from dampen.simulation.digital import Sampler
 from dampen.simulation.digital_side import begin_again, idle, prepare, sampler_of
@@ -67,7 +68,8 @@ def passes(scenario: Scenario, bench: Bench, compile: bool = True) -> Iterator[P
 
 def law_of(scenario: Scenario, memory: Mapping[str, Array], setting: Setting) -> PortLaw:
     """The controller's law for the coming trial, checked."""
-    law = scenario.controller.law(memory, setting)
+    with blame(scenario.controller, "law"):
+        law = scenario.controller.law(memory, setting)
     check_law(scenario.controller, law, setting)
     check_monotone(scenario, law)
     return law

@@ -55,8 +55,12 @@ def check_stages(stages: tuple[Stage, ...], dt: float) -> None:
     for stage in stages:
         if not own(type(stage)):
             continue
-        row = np.array(stage.row(dt), float)
-        state = np.array(stage.start() or (0.0,), float)
+        with blame(stage, "row"):
+            row = np.array(stage.row(dt), float)
+        state = np.zeros(max(1, stage.states))
+        if len(stage.start()) != stage.states:
+            raise ArgumentError(f"{own_name(stage)}.start must give {stage.states} numbers, but gives {len(stage.start())}.")
+        state[: stage.states] = stage.start()
         with blame(stage, "step"):
             outputs = np.array([float(type(stage).step(u, state.copy(), row, state.copy())) for u in TRIED])
         if not np.all(np.isfinite(outputs)):
@@ -72,7 +76,8 @@ def check_sampled(controller: Controller, setting: Setting) -> None:
     """The same for a sampled law."""
     if not isinstance(controller, SampledFeedback) or not own(type(controller)):
         return
-    row = np.array(controller.row(setting), float).ravel()
+    with blame(controller, "row"):
+        row = np.array(controller.row(setting), float).ravel()
     nothing, command = np.zeros(len(setting.ports)), np.zeros(len(setting.ports))
     state = np.zeros(max(1, controller.states(setting)))
     sample = Sample(*(nothing,) * len(Sample._fields))

@@ -9,6 +9,7 @@ import numpy as np
 
 from dampen.arguments import BENCH, PROGRESS, SCENARIO, STORE, TRUTH, takes
 from dampen.controllers.base import Setting
+from dampen.own import blame
 from dampen.simulation.account import accounts
 from dampen.simulation.bench import Bench
 from dampen.simulation.digital import Sampler
@@ -52,7 +53,8 @@ def simulate(
     bench.check_start(scenario)
     setting = setting_of(scenario, bench=bench, compile=compile)
     unchanged = never_learned(scenario.controller, begun(scenario, setting))
-    warnings = [*bench.warnings, *scenario.controller.notes(setting), *unchanged]
+    with blame(scenario.controller, "notes"):
+        warnings = [*bench.warnings, *scenario.controller.notes(setting), *unchanged]
     store = store or MemoryStore()
     store.open(Layout.of(scenario, bench.x, setting), warnings)
     status, done = "complete", 0
