@@ -97,7 +97,7 @@ MISTAKES = {
     "forgotten": (
         "controller",
         "class Mine(dampen.Controller):\n    def law(self, memory, setting):\n        pass\n",
-        "mistake_forgotten:Mine.law must return a PortLaw, but returns NoneType",
+        "mistake_forgotten:Mine.law must return a PortLaw, but returns None",
     ),
     "falling": (
         "actuator.second.chain.0",

@@ -6,17 +6,20 @@ from collections.abc import Iterator
 from dataclasses import fields
 
 from dampen.component import ArgumentError, Component, Parameter, hints_of, parameters, split_hint, suggestion
-from dampen.scenarios.kinds import KINDS
+from dampen.scenarios.kinds import KINDS, find_own_kind
 from dampen.scenarios.read import TABLES, shipped, table_of
 from dampen.toml import literal
 
 
 def listing(kind: str | None = None) -> str:
-    """The whole list as text; or what there is under one name: a kind, or a table of kinds.
+    """The whole list as text; or what there is under one name: a kind, a user's own "module:Class", or a table of kinds.
 
     Raises ArgumentError for a name that is none of these.
     """
     entries = [entry for entry in _entries() if kind is None or kind in entry[:2]]
+    if kind and ":" in kind:
+        table, cls = find_own_kind(kind, "kind")
+        entries = [(table, kind, cls)]
     if not entries:
         known = sorted({name for table, own, _ in _entries() for name in (table, own) if name})
         raise ArgumentError(f"Argument `kind` must be a kind or a table, but is {kind!r}{suggestion(str(kind), known)}")

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import importlib
 import sys
+import sysconfig
 import traceback
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
@@ -11,6 +12,15 @@ from pathlib import Path
 from typing import Any
 
 from dampen.component import ArgumentError, own_name, shown, wrong
+
+HERE = str(Path(__file__).parent)
+INSTALLED = tuple({sysconfig.get_path(name) for name in ("stdlib", "platstdlib", "purelib", "platlib")})
+NOT_FROZEN = "cannot inherit non-frozen dataclass from a frozen one"  # as Python has it
+
+
+def own(cls: type) -> bool:
+    """Whether a class is the user's."""
+    return not cls.__module__.startswith("dampen.")
 
 
 def own_object(name: str, argument: str, folder: Path | None = None) -> Any:
@@ -41,19 +51,30 @@ def own_function(name: str, argument: str, folder: Path | None = None) -> Callab
     return found
 
 
-def complaint(error: BaseException) -> str:
-    """An error in one line, with the innermost line of code outside this package that it came from."""
-    here = str(Path(__file__).parent)
-    frames = [f for f in traceback.extract_tb(error.__traceback__) if here not in f.filename and "importlib" not in f.filename]
-    at = f" ({Path(frames[-1].filename).name}, line {frames[-1].lineno})" if frames else ""
-    return f"{type(error).__name__}: {error}{at}"
+def complaint(error: BaseException, function: Callable[..., Any] | None = None) -> str:
+    """An error in one line, with the line of the user's code that it came from: the innermost that was not installed.
+
+    function: what could not even be called, where no line of it has run.
+    """
+    text = f"{type(error).__name__}: {error}"
+    if str(error) == NOT_FROZEN:
+        text = "a component must be a frozen dataclass, @dataclass(frozen=True)"
+    elif isinstance(error, ArgumentError):
+        text = str(error).rstrip(".")
+    frames = [f for f in traceback.extract_tb(error.__traceback__) if HERE not in f.filename and "importlib" not in f.filename]
+    theirs = [f for f in frames if not f.filename.startswith((*INSTALLED, "<string>"))]
+    places = [(f.filename, f.lineno) for f in theirs or frames]
+    code = getattr(function, "__code__", None)
+    if not theirs and code is not None:
+        places = [(code.co_filename, code.co_firstlineno)]
+    return f"{text} ({Path(places[-1][0]).name}, line {places[-1][1]})" if places else text
 
 
 @contextmanager
-def blame(component: object, method: str) -> Iterator[None]:
+def blame(component: object, method: str, function: Callable[..., Any] | None = None) -> Iterator[None]:
     """Turn any error that the user's own class raises in here into one line with class, method and line of code.
 
-    Errors of shipped classes pass: they are faults of the package.
+    Errors of shipped classes pass: they are faults of the package. function: as for `complaint`.
     """
     try:
         yield
@@ -61,6 +82,6 @@ def blame(component: object, method: str) -> Iterator[None]:
         raise
     except Exception as error:
         cls = component if isinstance(component, type) else type(component)
-        if cls.__module__.startswith("dampen."):
+        if not own(cls):
             raise
-        raise ArgumentError(f"{own_name(cls)}.{method} failed: {complaint(error)}.") from error
+        raise ArgumentError(f"{own_name(cls)}.{method} failed: {complaint(error, function)}.") from error

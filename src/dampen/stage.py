@@ -9,13 +9,13 @@ from typing import ClassVar
 
 import numpy as np
 
-from dampen.component import Component
+from dampen.family import Family
 
 Array = np.ndarray
 Step = Callable[[float, Array, Array, Array], float]
 
 
-class Stage(Component):
+class Stage(Family):
     """A scalar map from a command, held over a step, to what is delivered over that step.
 
     `step(command, state, parameters, new_state) -> output` is plain Python over scalars; it reads `state`, never changes it,

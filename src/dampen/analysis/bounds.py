@@ -13,7 +13,8 @@ from dampen.arguments import BENCH, RESULT, takes
 from dampen.controllers.base import PortLaw, Setting
 from dampen.simulation.bench import Bench
 from dampen.simulation.compose import BARRIERS
-from dampen.simulation.passes import begun, law_of
+from dampen.simulation.memory import begun
+from dampen.simulation.passes import law_of
 from dampen.simulation.result import Result
 from dampen.simulation.setting import setting_of
 
@@ -98,7 +99,7 @@ def bounds(result: Result, bench: Bench | None = None) -> Bounds:
     scenario = result.scenario
     bench = bench or Bench(scenario)
     setting = setting_of(scenario, bench=bench)
-    memory = begun(scenario.controller, setting)
+    memory = begun(scenario, setting)
     law = law_of(scenario, memory, setting)
     trials = 1 if memory else result.trials
     disturbed = [bool(np.any(np.asarray(result["disturbance"][:trials])[..., p])) for p in range(len(scenario.ports))]

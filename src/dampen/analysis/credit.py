@@ -16,6 +16,7 @@ from dampen.controllers.base import SampledFeedback
 from dampen.controllers.none import NoControl
 from dampen.controllers.partial import PartialLaw, taken_apart
 from dampen.simulation.batch import Batch, Tally, alone
+from dampen.simulation.memory import begun
 from dampen.simulation.scenario import Scenario
 from dampen.simulation.setting import setting_of
 from dampen.simulation.tally import MEAN_SQUARE
@@ -127,7 +128,7 @@ def variants(scenario: Scenario) -> Iterator[tuple[str, str, Scenario]]:
 
 
 def _of_the_law(scenario: Scenario, terms: Sequence[str]) -> Iterator[tuple[str, str, Scenario]]:
-    if scenario.controller.begin(setting_of(scenario)):
+    if begun(scenario, setting_of(scenario)):
         yield "nothing learned", "the memories are wiped after every trial", without(scenario, forget=True)
     for name in terms:
         if len(terms) > 1:
@@ -143,7 +144,7 @@ def terms_of(scenario: Scenario) -> list[str]:
     law, setting = scenario.controller, setting_of(scenario)
     if isinstance(law, SampledFeedback):
         return []
-    learned = {name: np.ones_like(value) for name, value in law.begin(setting).items()}
+    learned = {name: np.ones_like(value) for name, value in begun(scenario, setting).items()}
     return list(taken_apart(law, learned, setting))
 
 

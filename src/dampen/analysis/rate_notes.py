@@ -10,6 +10,7 @@ import numpy as np
 from dampen.controllers.base import PortLaw, Setting
 from dampen.modal import ModalModel
 from dampen.plants.base import Modes
+from dampen.simulation.memory import begun
 from dampen.simulation.scenario import Scenario
 
 Array = np.ndarray
@@ -24,7 +25,7 @@ def law_notes(scenario: Scenario, law: PortLaw, setting: Setting) -> list[str]:
         notes.append("The controller's limits of its commands are left out.")
     if np.any(setting.gains * law.barrier > 0):
         notes.append("The barrier counts with its curvature at zero error: farther out it is stiffer.")
-    if scenario.controller.begin(setting):
+    if begun(scenario, setting):
         notes.append("The law learns between trials: these are the rates of trial 0; a learned feedforward does not move them.")
     return notes
 

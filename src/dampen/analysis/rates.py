@@ -16,7 +16,8 @@ from dampen.controllers.base import PortLaw, SampledFeedback, Setting
 from dampen.modal import ModalModel
 from dampen.simulation.bench import Bench
 from dampen.simulation.compose import BARRIERS
-from dampen.simulation.passes import begun, law_of
+from dampen.simulation.memory import begun
+from dampen.simulation.passes import law_of
 from dampen.simulation.scenario import Scenario
 from dampen.simulation.setting import setting_of
 
@@ -128,7 +129,7 @@ def rates(scenario: Scenario, bench: Bench | None = None) -> Rates | NoRates:
     if isinstance(controller, SampledFeedback):
         name = type(controller).__name__
         return NoRates(f"{name} acts through samples by its own function, without `sampled_loop`: its loop is unknown.")
-    law = law_of(scenario, begun(controller, setting), setting)
+    law = law_of(scenario, begun(scenario, setting), setting)
     dry = [port for p, port in enumerate(scenario.ports) if setting.gains[p] * law.coulomb[:, p].max() > 0]
     if dry:
         return NoRates(

@@ -14,6 +14,7 @@ from dampen.cli import bundle, compare, export, lab, review, run, sil, studies
 from dampen.cli.terminal import BROKE_OFF, COMPLETED, ScenarioArgument, WithListing, WithOverview, complain, err, out
 from dampen.component import ArgumentError
 
+KIND_HELP = 'a kind, such as backlash or "module:Class" of your own, or a table, such as plant; left out: all'
 TYPER_INTERRUPTED = 130  # what typer makes of a KeyboardInterrupt that no command has caught
 
 # One function a command; heavy packages are imported where they are used, so that --help is quick.
@@ -59,7 +60,7 @@ def version(show: Annotated[bool, typer.Option("--version", help="Show the versi
 
 @app.command("list", cls=WithListing, help="List the shipped scenarios, and every kind with its parameters, units and defaults.")
 def list_(
-    kind: Annotated[str | None, typer.Argument(help="a kind, such as backlash, or a table, such as plant; left out: all")] = None,
+    kind: Annotated[str | None, typer.Argument(help=KIND_HELP)] = None,
 ) -> None:
     """`dampen list`."""
     from dampen.listing import listing

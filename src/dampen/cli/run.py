@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Iterator
-from contextlib import ExitStack, contextmanager
+from contextlib import ExitStack, contextmanager, suppress
 from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
@@ -24,7 +24,7 @@ from dampen.cli.terminal import (
     show_table,
     working,
 )
-from dampen.component import ArgumentError
+from dampen.component import ArgumentError, listed
 from dampen.studies.alone import alone
 
 if TYPE_CHECKING:
@@ -105,6 +105,8 @@ def perform(
     from dampen.scenarios.read import read_scenario
     from dampen.simulation.bench import Bench
     from dampen.simulation.cost import check_time
+    from dampen.simulation.memory import begun
+    from dampen.simulation.setting import setting_of
     from dampen.studies.experiment import beside, own_review
     from dampen.studies.record import write_record
 
@@ -113,6 +115,7 @@ def perform(
     check_time(experiment, RUNS[purpose] + len(beside(experiment)), hours)
     with ExitStack() as kept, threadpool_limits(1):
         bench = Bench(experiment)  # refuses what cannot be resolved, before anything is written
+        begun(experiment, setting_of(experiment, bench=bench))  # as this does what its law cannot begin with
         folder = kept.enter_context(output_folder(folder, f"{experiment.name}-{purpose}" if purpose else experiment.name))
         runs = run_shown(bench, folder)
         for line in runs.result.warnings:
@@ -142,19 +145,21 @@ def finish(done: Done) -> None:
 
 @contextmanager
 def output_folder(folder: Path | None, name: str) -> Iterator[Path]:
-    """The output folder, made ready and kept from other processes meanwhile: what an earlier run has left there goes."""
+    """The output folder, made ready and kept from other processes meanwhile: what an earlier run has left there goes. Nothing
+    is left of a run that fails before it has a result."""
     folder = free_folder(folder, name)
-    mark = folder / "scenario.toml"
-    busy = f"Output folder `{folder}` must be another one: another process is writing there."
+    mark, result, other = folder / "scenario.toml", folder / "result.nc", f"Output folder `{folder}` must be another one"
     with ExitStack() as held:
         try:
-            left = not mark.exists() or mark.stat().st_size == 0 or (folder / "result.nc").exists()
+            begun = mark.exists() and mark.stat().st_size == 0
+            earlier = mark.exists() and result.exists()
+            foreign = [part for part in (mark.name, *LEFT, "figures") if (folder / part).exists()]
+            if foreign and not (begun or earlier):
+                raise ArgumentError(f"{other}: it holds {listed(foreign)}, and no run that could be replaced.")
             folder.mkdir(parents=True, exist_ok=True)
-            held.enter_context(alone(mark, busy))
-            if not left:
-                raise ArgumentError(
-                    f"Output folder `{folder}` must be another one: it holds a scenario.toml that no run has left there."
-                )
+            held.enter_context(alone(mark, f"{other}: another process is writing there."))
+            if earlier:
+                err.print(f"Note: the earlier run in `{folder}` is replaced.", markup=False)
             mark.write_text("", encoding="utf-8")
             for old in LEFT:
                 (folder / old).unlink(missing_ok=True)
@@ -163,7 +168,14 @@ def output_folder(folder: Path | None, name: str) -> Iterator[Path]:
                 raise
             reason = getattr(error, "strerror", None) or error
             raise ArgumentError(f"Output folder `{folder}` cannot be written: {reason}.") from None
-        yield folder
+        try:
+            yield folder
+        finally:
+            if not result.exists():
+                for part in (mark.name, *LEFT):
+                    (folder / part).unlink(missing_ok=True)
+                with suppress(OSError):  # others' files are in it
+                    folder.rmdir()
 
 
 def run_shown(bench: Bench, folder: Path) -> Runs:

@@ -9,7 +9,7 @@ from typing import Any, ClassVar, Literal, NamedTuple
 
 import numpy as np
 
-from dampen.component import Component
+from dampen.family import Family
 from dampen.modal import ModalModel
 from dampen.port import Port
 from dampen.stage import Stage
@@ -144,7 +144,7 @@ class SampledLoop(NamedTuple):
     lags: int = 0
 
 
-class Controller(Component):
+class Controller(Family):
     """A law at the ports (inner loop) and what it learns between trials (outer loop). Memories are (steps, ports) arrays.
 
     paper: the one whose law this is, "He et al. 2017": a comparison says how it fares. "": none.

@@ -7,13 +7,9 @@ from collections.abc import Mapping
 import numpy as np
 
 from dampen.controllers.base import Array, Setting
-from dampen.signals.base import Signal
+from dampen.signals.base import Signal, sampled
 
 
 def feedforward(given: Mapping[str, float | Signal], setting: Setting) -> Array:
     """(steps, ports) feedforward [N, N m], the same in every trial; zero where none is given."""
-    columns = []
-    for port in setting.ports:
-        value = given.get(port.name, 0.0)
-        columns.append(value.sample(setting.times, 0) if isinstance(value, Signal) else np.full(setting.steps, float(value)))
-    return np.column_stack(columns)
+    return np.column_stack([sampled(given.get(port.name, 0.0), setting.times, 0) for port in setting.ports])

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from dampen.component import Component
+from dampen.family import Family
 from dampen.port import Site
 
 Array = np.ndarray
@@ -26,7 +26,7 @@ class Content:
     load_wave: float = np.inf
 
 
-class Disturbance(Component):
+class Disturbance(Family):
     """What shakes the structure in trial `trial` at times `t`, the clock of the trial, which starts at 0.
 
     A disturbance overrides what it has: forces at ports, one distributed load, one concentrated load that may travel, an

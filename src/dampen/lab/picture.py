@@ -18,6 +18,7 @@ from dampen.report.names import port_names
 from dampen.simulation.bench import Bench
 from dampen.simulation.result import Result
 from dampen.simulation.setting import setting_of
+from dampen.studies.compare.ranges import ranges_said
 
 Array = np.ndarray
 BUCKETS = 800  # of a run: about what a plot has pixels
@@ -66,7 +67,7 @@ def header(result: Result, bench: Bench) -> dict[str, Any]:
         "tracking": bool(scenario.task.reference),
         "reset": scenario.task.start == "reset",
         "energy": {**asdict(account), "law": account.law, "error": account.error},
-        "sliders": sliders(scenario.controller.search(setting)),
+        "sliders": sliders(ranges_said(scenario.controller, setting)),
     }
 
 

@@ -12,6 +12,7 @@ from annotated_types import Ge, Unit
 from typing_extensions import Doc
 
 from dampen.component import ArgumentError, Component
+from dampen.family import Family
 from dampen.gauss import gauss_legendre
 from dampen.modal import ModalModel
 from dampen.plants.shapes import Combined, Shapes
@@ -120,7 +121,7 @@ def projected(field: Field, rule: tuple[Array, Array], values: Callable[[Array],
     return modal
 
 
-class Plant(Component):
+class Plant(Family):
     """A vibrating structure: turns its physics into :class:`Modes`. Needs `ports` and `modes`; the rest has defaults."""
 
     has_grid: ClassVar[bool] = False  # whether `modes` knows a finite-difference grid

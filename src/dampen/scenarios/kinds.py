@@ -5,6 +5,7 @@ from __future__ import annotations
 import dataclasses
 import inspect
 from pathlib import Path
+from typing import Any
 
 from dampen.actuators.absent import Absent
 from dampen.actuators.backlash import Backlash
@@ -16,7 +17,7 @@ from dampen.actuators.ideal import Ideal
 from dampen.actuators.prandtl_ishlinskii import PrandtlIshlinskii
 from dampen.actuators.rate_limit import RateLimit
 from dampen.actuators.saturation import Saturation
-from dampen.component import ArgumentError, Component, shown, suggestion
+from dampen.component import ArgumentError, Component, hints_of, shown, suggestion
 from dampen.controllers.adaptive_boundary import AdaptiveBoundary
 from dampen.controllers.base import Controller
 from dampen.controllers.boundary_damping import BoundaryDamping
@@ -41,7 +42,7 @@ from dampen.disturbances.moving_load import MovingLoad
 from dampen.disturbances.none import NoDisturbance
 from dampen.disturbances.recorded import Recorded
 from dampen.disturbances.sum import Sum
-from dampen.own import own_object
+from dampen.own import complaint, own_object
 from dampen.plants.assembled import Assembled
 from dampen.plants.base import Plant
 from dampen.plants.euler_bernoulli import EulerBernoulliBeam
@@ -114,7 +115,7 @@ def find_kind(table: str, kind: object, where: str, folder: Path) -> type[Compon
     """
     known = {cls.kind: cls for cls in KINDS[table]}
     if isinstance(kind, str) and ":" in kind:
-        return own_class(table, kind, where, folder)
+        return own_class(own_object(kind, f"{where}.kind", folder), FAMILIES[table], kind, f"{where}.kind")
     if not isinstance(kind, str) or kind not in known:
         raise ArgumentError(
             f"Argument `{where}.kind` must be a known kind of {table}, but is {shown(kind)}{suggestion(str(kind), known)}"
@@ -122,18 +123,31 @@ def find_kind(table: str, kind: object, where: str, folder: Path) -> type[Compon
     return known[kind]
 
 
-def own_class(table: str, kind: str, where: str, folder: Path) -> type[Component]:
-    """The class that "module:Class" names."""
-    cls, family = own_object(kind, f"{where}.kind", folder), FAMILIES[table]
+def find_own_kind(kind: str, argument: str) -> tuple[str, type[Component]]:
+    """The table that a user's own "module:Class" belongs in, and the class, from the current folder or from what is installed."""
+    cls = own_object(kind, argument)
+    for table, family in FAMILIES.items():
+        if isinstance(cls, type) and issubclass(cls, family):
+            return table, own_class(cls, family, kind, argument)
+    known = ", ".join(dict.fromkeys(f"dampen.{family.__name__}" for family in FAMILIES.values()))
+    raise ArgumentError(f"Argument `{argument}` must name a subclass of one of {known}, but {shown(kind)} is none.")
+
+
+def own_class(cls: Any, family: type[Component], kind: str, argument: str) -> type[Component]:
+    """The class that "module:Class" names, if a component of a family can be made of it. Raises ArgumentError."""
     if not (isinstance(cls, type) and issubclass(cls, family)):
-        raise ArgumentError(
-            f"Argument `{where}.kind` must name a subclass of dampen.{family.__name__}, but {shown(kind)} is none."
-        )
+        raise ArgumentError(f"Argument `{argument}` must name a subclass of dampen.{family.__name__}, but {shown(kind)} is none.")
     if not dataclasses.is_dataclass(cls) or "__dataclass_params__" not in cls.__dict__:
         raise ArgumentError(
-            f"Argument `{where}.kind` must name a frozen dataclass, but {shown(kind)} lacks @dataclass(frozen=True)."
+            f"Argument `{argument}` must name a frozen dataclass, but {shown(kind)} lacks @dataclass(frozen=True)."
         )
     if inspect.isabstract(cls):
         missing = ", ".join(sorted(getattr(cls, "__abstractmethods__", ())))
-        raise ArgumentError(f"Argument `{where}.kind` must name a complete class, but {shown(kind)} does not define {missing}.")
+        raise ArgumentError(f"Argument `{argument}` must name a complete class, but {shown(kind)} does not define {missing}.")
+    try:
+        hints_of(cls)
+    except Exception as error:  # whatever reading annotations can end in
+        raise ArgumentError(
+            f"Argument `{argument}` names {shown(kind)}, whose parameters cannot be read: {complaint(error)}."
+        ) from None
     return cls

@@ -26,7 +26,7 @@ def load(path: str | Path) -> Result:
     except (OSError, ValueError):  # no name that a file can have
         known = False
     if not known:
-        raise ArgumentError(f"Result file `{path}` cannot be read: there is no such file.")
+        raise ArgumentError(f"Result file `{path}` cannot be read: {not_a_file(path)}")
     import netCDF4
 
     try:
@@ -42,6 +42,17 @@ def load(path: str | Path) -> Result:
     result = open_result(path, scenario)
     check_variables(path, result.layout, result)
     return result
+
+
+def not_a_file(path: Path) -> str:
+    """What there is instead."""
+    try:
+        if path.is_dir():
+            inside = path / "result.nc"
+            return f"it is a folder; did you mean `{inside}`?" if inside.is_file() else "it is a folder, without a result.nc."
+    except (OSError, ValueError):
+        pass
+    return "there is no such file."
 
 
 def check_attributes(path: Path, about: dict[str, Any], most: int) -> None:

@@ -6,17 +6,28 @@ from abc import abstractmethod
 
 import numpy as np
 
-from dampen.component import Component
+from dampen.component import ArgumentError, own_name
+from dampen.family import Family
 
 Array = np.ndarray
 
 
-class Signal(Component):
+class Signal(Family):
     """A wanted displacement, a limit that moves, a feedforward: a function of time."""
 
     @abstractmethod
     def sample(self, t: Array, trial: int) -> Array:
         """(times,) values at the times `t` of a trial."""
+
+
+def sampled(given: float | Signal, t: Array, trial: int) -> Array:
+    """(times,) values of a number or a signal. Raises ArgumentError for a signal that gives others."""
+    if not isinstance(given, Signal):
+        return np.full(len(t), float(given))
+    values = np.asarray(given.sample(t, trial), float)
+    if values.shape != t.shape:
+        raise ArgumentError(f"{own_name(given)}.sample must give values of shape {t.shape}, but gives {values.shape}.")
+    return values
 
 
 def smooth_step(s: Array) -> Array:

@@ -9,7 +9,6 @@ from typing import Any
 import numpy as np
 
 from dampen.arguments import BENCH, NOTHING, POSITIVE, PROGRESS, SCENARIO, STORE, TEXT, TEXTS, TRUTH, count, takes
-from dampen.own import blame
 from dampen.sil.agreement import Agreement
 from dampen.sil.counterpart import Counterpart
 from dampen.sil.exchanges import Exchanges
@@ -19,8 +18,8 @@ from dampen.sil.reach import reached
 from dampen.simulation.account import accounts
 from dampen.simulation.bench import Bench
 from dampen.simulation.interrupt import interrupt_noted
-from dampen.simulation.passes import begun, seen
-from dampen.simulation.pieces import check_memory
+from dampen.simulation.memory import after, begun
+from dampen.simulation.passes import seen
 from dampen.simulation.result import Layout, Result
 from dampen.simulation.scenario import Scenario
 from dampen.simulation.setting import of_trial, setting_of
@@ -98,7 +97,7 @@ def in_the_loop(
 ) -> InTheLoop:
     """All trials of a scenario, with a controller that has said hello."""
     plant, setting = PlantSide(scenario, bench, counterpart.drives), setting_of(scenario, bench=bench)
-    memory, agreement = begun(scenario.controller, setting), None
+    memory, agreement = begun(scenario, setting), None
     if compare and Agreement.possible(scenario):
         agreement = Agreement(scenario, bench)
     warnings = [f"Commands came from {counterpart.described}, not from the scenario's law.", *bench.warnings]
@@ -166,10 +165,7 @@ def through(plant: PlantSide, counterpart: Counterpart, trial: int) -> tuple[str
 def learnt(scenario: Scenario, plant: PlantSide, memory: Mapping[str, Array], setting: Any, trial: int) -> Mapping[str, Array]:
     """What the scenario's learning makes of the trial: the program's own memory is not to be seen."""
     record, sampler, _ = plant.written()
-    with blame(scenario.controller, "learn"):
-        after = scenario.controller.learn(memory, seen(trial, scenario, record, sampler), setting)
-    check_memory(scenario.controller, memory, after)
-    return after
+    return after(scenario.controller, memory, seen(trial, scenario, record, sampler), setting)
 
 
 def written_down(scenario: Scenario, plant: PlantSide, memory: Mapping[str, Array], trial: int) -> dict[str, Any]:

@@ -9,7 +9,7 @@ from typing import Any
 
 import numpy as np
 
-from dampen.component import ArgumentError, wrong
+from dampen.component import ArgumentError, own_name, wrong
 from dampen.controllers.base import PortLaw, SampledFeedback
 from dampen.disturbances.base import Disturbance
 from dampen.modal import propagator
@@ -61,6 +61,10 @@ class Bench:
         self.x = output_points(scenario)
         with blame(plant, "initial_state"):
             self.start = plant.initial_state(self.modes)
+        shapes = [np.shape(part) for part in self.start]
+        if shapes != 2 * [(self.modes.count,)]:
+            must = f"must give two arrays of shape {(self.modes.count,)}, but gives {shapes[0]} and {shapes[1]}"
+            raise ArgumentError(f"{own_name(plant)}.initial_state {must}.")
         if not all(np.all(np.isfinite(part)) for part in self.start):
             raise ArgumentError("Argument `plant.initial` must be a shape and a rate that stay finite along the structure.")
         check_ports(scenario, self.modes)
@@ -228,8 +232,8 @@ class Bench:
         for part in self.scenario.disturbance.parts:
             with blame(part, "base_acceleration"):
                 own = part.base_acceleration(trial, self.midpoints, self.site)
-            if own is not None:
-                total = own if total is None else total + own
+                if own is not None:
+                    total = np.broadcast_to(own, self.midpoints.shape) + (0.0 if total is None else total)
         return total
 
     @property

@@ -14,7 +14,8 @@ from dampen.simulation.compose import compiled_members
 from dampen.simulation.digital_side import idle
 from dampen.simulation.kernel import COEFFICIENTS, PORT, STAGE, Step
 from dampen.simulation.members import Desk, Given, Members
-from dampen.simulation.passes import begun, law_of
+from dampen.simulation.memory import begun
+from dampen.simulation.passes import law_of
 from dampen.simulation.records import aligned, empty_record, modal_record, port_records
 from dampen.simulation.scenario import Scenario
 from dampen.simulation.setting import of_trial, setting_of
@@ -129,7 +130,7 @@ class Lockstep:
         members = self.members
         for i, scenario in enumerate(self.scenarios):
             self.settings[i] = setting = of_trial(self.settings[i], scenario, trial) if trial else self.settings[i]
-            law = law_of(scenario, begun(scenario.controller, setting), setting)
+            law = law_of(scenario, begun(scenario, setting), setting)
             members.feedforward[i], members.coulomb[i] = law.feedforward, law.coulomb
             for name in ("damping", "stiffness", "barrier"):
                 members.ports[name][i] = getattr(law, name)

@@ -15,7 +15,8 @@ from dampen.simulation.bench import Bench
 from dampen.simulation.digital import Sampler
 from dampen.simulation.digital_side import begin_again, idle, prepare, sampler_of
 from dampen.simulation.kernel import Inputs, Record
-from dampen.simulation.pieces import check_memory, check_sampled
+from dampen.simulation.memory import after, begun
+from dampen.simulation.pieces import check_sampled
 from dampen.simulation.records import empty_record, port_records
 from dampen.simulation.scenario import Scenario
 from dampen.simulation.setting import of_trial, setting_of
@@ -45,7 +46,7 @@ def passes(scenario: Scenario, bench: Bench, compile: bool = True) -> Iterator[P
     setting, controller, every = setting_of(scenario, bench=bench, compile=compile), scenario.controller, scenario.output.every
     sampler = sampler_of(scenario, setting) if scenario.sampled else idle(len(chains))
     check_sampled(controller, setting)
-    memory = begun(controller, setting)
+    memory = begun(scenario, setting)
     record = empty_record(scenario.steps, len(chains), bench.modes.count, every)
     for j in range(scenario.task.trials):
         if j == 0 or scenario.task.start == "reset":
@@ -61,18 +62,8 @@ def passes(scenario: Scenario, bench: Bench, compile: bool = True) -> Iterator[P
         inputs = bench.inputs(scenario, j, law)
         with np.errstate(all="ignore"):  # as compiled: a motion that leaves all bounds ends the run by being no number
             done = kernel(modal, bench.step, inputs, sampler, ports, stages, every, record)
-        with blame(controller, "learn"):
-            before, memory = memory, controller.learn(memory, seen(j, scenario, record, sampler), setting)
-        check_memory(controller, before, memory)
+        memory = after(controller, memory, seen(j, scenario, record, sampler), setting, done == scenario.steps)
         yield Pass(j, setting, inputs, record, ports, sampler, memory, done)
-
-
-def begun(controller: Controller, setting: Setting) -> Mapping[str, Array]:
-    """The controller's memory before trial 0, checked."""
-    with blame(controller, "begin"):
-        memory = controller.begin(setting)
-    check_memory(controller, memory, memory)
-    return memory
 
 
 def law_of(scenario: Scenario, memory: Mapping[str, Array], setting: Setting) -> PortLaw:
@@ -94,8 +85,6 @@ def seen(trial: int, scenario: Scenario, record: Record, sampler: Sampler) -> Tr
 def check_law(controller: Controller, law: PortLaw, setting: Setting) -> None:
     """The closure has one solution only if nothing in the law pushes the wrong way."""
     ports, whose = len(setting.ports), f"{own_name(controller)}.law"
-    if not isinstance(law, PortLaw):
-        raise ArgumentError(f"{whose} must return a PortLaw, but returns {type(law).__name__}.")
     for name in ("feedforward", "coulomb", "damping", "stiffness", "barrier"):
         value = getattr(law, name)
         shape = (setting.steps, ports) if name in ("feedforward", "coulomb") else (ports,)

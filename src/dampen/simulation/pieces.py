@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Mapping
+from collections.abc import Callable
 from functools import cache
 from typing import Any
 
@@ -11,7 +11,7 @@ import numpy as np
 
 from dampen.component import ArgumentError, own_name
 from dampen.controllers.base import Controller, SampledFeedback, Setting
-from dampen.own import blame
+from dampen.own import blame, own
 from dampen.plants.base import Modes, Plant
 from dampen.simulation.compiled import compiled
 from dampen.simulation.digital import Sample
@@ -23,21 +23,14 @@ FASTEST = 1e75  # 1/s: beyond, fourth powers leave what a double can hold
 PLACE = re.compile(r'File "(?P<file>[^"]+)", line (?P<line>\d+)')
 
 
-def own(cls: type) -> bool:
-    """Whether a class is the user's."""
-    return not cls.__module__.startswith("dampen.")
-
-
 def modes_of(plant: Plant, count: int, grid: int | None) -> Modes:
     """The plant's modes, their shapes checked."""
     try:
-        with blame(plant, "modes"), np.errstate(over="ignore", invalid="ignore", divide="ignore"):  # what comes of it is checked
+        with np.errstate(over="ignore", invalid="ignore", divide="ignore"):  # what comes of it is checked
             modes = plant.modes(count) if grid is None else plant.modes(count, grid)
     except np.linalg.LinAlgError:
         text = "Argument `plant` must have numbers nearer to one another: its modes cannot be told from round-off."
         raise ArgumentError(text) from None
-    if not isinstance(modes, Modes):
-        raise ArgumentError(f"{own_name(plant)}.modes must return Modes, but returns {type(modes).__name__}.")
     n, ports = np.size(modes.omega), len(plant.ports)
     wanted = {"omega": (n,), "decay": (n,), "b": (ports, n)}
     for name, shape in wanted.items():
@@ -64,7 +57,10 @@ def check_stages(stages: tuple[Stage, ...], dt: float) -> None:
             continue
         with blame(stage, "row"):
             row = np.array(stage.row(dt), float)
-        state = np.array(stage.start() or (0.0,), float)
+        state = np.zeros(max(1, stage.states))
+        if len(stage.start()) != stage.states:
+            raise ArgumentError(f"{own_name(stage)}.start must give {stage.states} numbers, but gives {len(stage.start())}.")
+        state[: stage.states] = stage.start()
         with blame(stage, "step"):
             outputs = np.array([float(type(stage).step(u, state.copy(), row, state.copy())) for u in TRIED])
         if not np.all(np.isfinite(outputs)):
@@ -88,18 +84,6 @@ def check_sampled(controller: Controller, setting: Setting) -> None:
     with blame(controller, "step"):
         type(controller).step(sample, state.copy(), row, command)
     compile_alone(type(controller), type(controller).step, (sample, state, row, command))
-
-
-def check_memory(controller: Controller, before: Mapping[str, Array], after: Mapping[str, Array]) -> None:
-    """What a law has learned must have the shape of what it began with."""
-    for name, memory in (("begin", before), ("learn", after)):
-        if not isinstance(memory, Mapping):
-            raise ArgumentError(
-                f"{own_name(controller)}.{name} must return a dict of arrays, but returns {type(memory).__name__}."
-            )
-    if own(type(controller)) and {k: np.shape(v) for k, v in before.items()} != {k: np.shape(v) for k, v in after.items()}:
-        shapes = ({name: np.shape(value) for name, value in memory.items()} for memory in (before, after))
-        raise ArgumentError("{}.learn must keep the memories {}, but returns {}.".format(own_name(controller), *shapes))
 
 
 @cache

@@ -7,6 +7,7 @@ from typing import Any
 
 import numpy as np
 
+from dampen.component import ArgumentError, own_name
 from dampen.modal import ModalModel, Propagator, dissipation
 from dampen.simulation.closure import SOFTNESS
 from dampen.simulation.kernel import MODAL, PORT, STAGE, STAGE_PARAMETERS, STAGE_STATES, Record, Step
@@ -49,9 +50,8 @@ def port_records(chains: Sequence[Sequence[Stage]], step: Step, classes: Sequenc
         for stage in chain:
             row = stage.row(step.dt)
             if len(row) > STAGE_PARAMETERS or stage.states > STAGE_STATES:
-                raise ValueError(
-                    f"{type(stage).__name__} needs more than {STAGE_PARAMETERS} parameters or {STAGE_STATES} states."
-                )
+                most = f"at most {STAGE_PARAMETERS} parameters and {STAGE_STATES} states"
+                raise ArgumentError(f"{own_name(stage)} must have {most}, but has {len(row)} and {stage.states}.")
             stages[s].code, stages[s].states = classes.index(type(stage)), stage.states
             stages[s].parameters[: len(row)] = row
             stages[s].state[: stage.states] = stage.start()

@@ -2,57 +2,24 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Collection, Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from dampen.component import ArgumentError
+from dampen.component import ArgumentError, suggestion
 from dampen.controllers.base import Setting
+from dampen.simulation.memory import begun
 from dampen.simulation.scenario import Scenario
+from dampen.simulation.variables import PEAK, REFERENCE, SAMPLES, SIGNALS, STATUS, TAKEN, Variable, why_not
 from dampen.toml import to_toml
 
 if TYPE_CHECKING:
     import xarray
 
 Array = np.ndarray
-
-
-@dataclass(frozen=True)
-class Variable:
-    """One variable of a result: its dimensions after `trial`, unit and meaning. Unit "" with a port: see the coordinates."""
-
-    dims: tuple[str, ...]
-    unit: str
-    meaning: str
-    kind: str = "f8"
-
-
-SIGNALS = {
-    "y": Variable(("time", "port"), "", "displacement (angle) at the port"),
-    "energy": Variable(("time",), "J", "kinetic and potential energy of the structure, payload included"),
-    "barrier_energy": Variable(("time",), "J", "energy of the law's barrier and stiffness, as the actuator's slope delivers it"),
-    "compliance_energy": Variable(("time",), "J", "energy stored in the ports' numerical compliance"),
-    "v": Variable(("step", "port"), "", "rate that the law sees: exactly 0 while the port sticks"),
-    "command": Variable(("step", "port"), "", "the law's value"),
-    "delivered": Variable(("step", "port"), "", "force (torque) that the actuator delivers"),
-    "disturbance": Variable(("step", "port"), "", "disturbing force (torque) at the port"),
-    "work_control": Variable(("step", "port"), "J", "work of the delivered force over the step"),
-    "work_actuator": Variable(("step", "port"), "J", "part of it that is not the actuator's slope times the command"),
-    "work_disturbance": Variable(("step", "port"), "J", "work of the port's disturbance over the step"),
-    "work_load": Variable(("step",), "J", "work of the distributed load over the step"),
-    "dissipated": Variable(("step",), "J", "energy that the structure's damping takes over the step"),
-    "compliance_loss": Variable(("step",), "J", "energy dissipated by the ports' numerical compliance over the step"),
-}
-SAMPLES = {
-    "reading": Variable(("sample", "port"), "", "displacement (angle) as the controller read it"),
-    "rate_estimate": Variable(("sample", "port"), "", "rate of the tracking error as the controller estimated it"),
-    "issued": Variable(("sample", "port"), "", "command as it was computed, to be held from the end of the delay on"),
-}
-REFERENCE = Variable(("time", "port"), "", "what the port is to follow")
-STATUS = Variable((), "", "0: finished, 1: broke off", "i1")
 
 
 @dataclass(frozen=True)
@@ -69,12 +36,10 @@ class Layout:
         plant, steps, dt = scenario.plant, scenario.steps, scenario.numerics.step
         fields = {name: Variable(("time_out", "x"), unit, f"field {name}(x, t)", "f4") for name, unit in plant.fields}
         on = "sample" if scenario.sampled else "step"
-        learned = {
-            name: Variable((on, "port"), "", f"learned {name} after the trial") for name in scenario.controller.begin(setting)
-        }
-        extra = {**(SAMPLES if scenario.sampled else {}), **({"reference": REFERENCE} if scenario.task.reference else {})}
-        peak = Variable(("field",), "", "largest |field| of the trial, over snapshots everywhere and over ports at every step")
-        whole = {"peak": peak, "status": STATUS} if fields else {"status": STATUS}
+        learned = {name: Variable((on, "port"), "", f"learned {name} after the trial") for name in begun(scenario, setting)}
+        _check_fields(scenario, learned)
+        extra = {**(SAMPLES if scenario.sampled else {}), **(REFERENCE if scenario.task.reference else {})}
+        whole = {**PEAK, **STATUS} if fields else STATUS
         time = np.arange(steps + 1) * dt
         coordinates: dict[str, tuple[tuple[str, ...], Array, str]] = {
             "time": (("time",), time, "s"),
@@ -90,19 +55,29 @@ class Layout:
         if scenario.sampled:
             coordinates["sample"] = (("sample",), np.arange(setting.steps) * setting.dt, "s")
         sizes = {dims[0]: len(values) for dims, values, _ in coordinates.values()}
-        _check_names({**SIGNALS, **SAMPLES, "reference": REFERENCE, **learned, **coordinates, "peak": peak, **whole}, fields)
         return Layout(scenario, sizes, {**SIGNALS, **extra, **learned, **fields, **whole}, coordinates)
 
     def shape(self, variable: Variable) -> tuple[int, ...]:
         return tuple(self.sizes[dim] for dim in variable.dims)
 
 
-def _check_names(taken: Mapping[str, Any], fields: Mapping[str, Any]) -> None:
-    """A field stands beside the result's own variables, in a file too: it needs a name that is free and that a file can have."""
-    for name in fields:
-        if name in taken or name == "trial" or not name or "/" in name or not name.isprintable():
-            why = "is a name that results use themselves" if name in taken or name == "trial" else "cannot stand in a file"
+def _check_fields(scenario: Scenario, learned: Collection[str]) -> None:
+    """A field stands beside the result's own variables and what the law learns, in a file too: it needs a name that is free."""
+    for name, _ in scenario.plant.fields:
+        if why := why_not(name, {*TAKEN, *learned}):
             raise ArgumentError(f"Argument `plant` has a field `{name}`, which {why}; give it another one.")
+
+
+class UnknownVariable(ArgumentError, KeyError):
+    """A result has no variable of this name."""
+
+    def __init__(self, name: str, known: Collection[str]):
+        near = suggestion(str(name), known)
+        all_known = "" if near.endswith(".") else f" Known here: {', '.join(known)}."
+        super().__init__(f"This result has no variable `{name}`{near}{all_known}")
+
+    def __str__(self) -> str:
+        return "\n".join(self.lines)
 
 
 @dataclass
@@ -127,6 +102,8 @@ class Result:
 
     def __getitem__(self, name: str) -> Any:
         """All trials of a variable, (trial, ...); from a file, read when indexed."""
+        if name not in self.layout.variables:
+            raise UnknownVariable(name, self.layout.variables)
         return self.arrays[name]
 
     @property

@@ -12,7 +12,7 @@ import numpy as np
 from annotated_types import Ge, Gt, Le, Unit
 from typing_extensions import Doc
 
-from dampen.component import ArgumentError, Component, wrong
+from dampen.component import ArgumentError, Component, own_name, wrong
 from dampen.controllers.base import Controller, SampledFeedback
 from dampen.controllers.none import NoControl
 from dampen.disturbances.base import Disturbance
@@ -146,7 +146,11 @@ class Scenario(Component):
             if barrier and port not in self.task.constraint:
                 raise ArgumentError(f"Argument `task.constraint.{port}` must be given: the controller has a barrier there.")
         low, high = self.task.limits(self.ports, np.zeros(1), 0)
-        for p, (name, y) in enumerate(zip(self.ports, self.plant.initial_ports(), strict=True)):
+        initial = self.plant.initial_ports()
+        if len(initial) != len(self.ports):
+            whose = f"{own_name(self.plant)}.initial_ports"
+            raise ArgumentError(f"{whose} must give a number for each of {len(self.ports)} ports, but gives {len(initial)}.")
+        for p, (name, y) in enumerate(zip(self.ports, initial, strict=True)):
             if behind[p] and not low[0, p] < y < high[0, p]:
                 symmetric = low[0, p] == -high[0, p]
                 where = f"|y| < {high[0, p]:g}" if symmetric else f"{low[0, p]:g} < y < {high[0, p]:g}"

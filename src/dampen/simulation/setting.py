@@ -13,6 +13,7 @@ from dampen.simulation.bench import Bench
 from dampen.simulation.digital import Sampler
 from dampen.simulation.digital_side import idle, linear, prepare, sampler_of
 from dampen.simulation.kernel import Inputs
+from dampen.simulation.memory import begun
 from dampen.simulation.records import empty_record, modal_record, port_records
 from dampen.simulation.scenario import Scenario
 
@@ -83,8 +84,8 @@ def response(scenario: Scenario, bench: Bench, compile: bool = True) -> Array:
     its slope in full motion, sensors and commands without noise, steps and limits: the linear experiment, run by the kernel
     itself.
     """
-    controller, setting = scenario.controller, setting_of(scenario, bench=bench)
-    law = controller.law(controller.begin(setting), setting)
+    setting = setting_of(scenario, bench=bench)
+    law = scenario.controller.law(begun(scenario, setting), setting)
     kernel, classes = bench.kernel(scenario, compile)
     ports, n, gain = len(setting.ports), scenario.steps, setting.gains
     each = round(setting.dt / scenario.numerics.step)

@@ -10,7 +10,7 @@ from annotated_types import Ge, Gt, Le, Unit
 from typing_extensions import Doc
 
 from dampen.component import ArgumentError, Component, wrong
-from dampen.signals.base import Signal
+from dampen.signals.base import Signal, sampled
 
 Array = np.ndarray
 
@@ -27,13 +27,9 @@ class Constraint(Component):
 
     def limits(self, t: Array, trial: int, reference: Array) -> tuple[Array, Array]:
         """(times,) lower and upper limits of the displacement."""
-        high = _sampled(self.high, t, trial)
-        low = -high if self.low is None else _sampled(self.low, t, trial)
+        high = sampled(self.high, t, trial)
+        low = -high if self.low is None else sampled(self.low, t, trial)
         return (low, high) if self.on == "output" else (reference + low, reference + high)
-
-
-def _sampled(value: float | Signal, t: Array, trial: int) -> Array:
-    return value.sample(t, trial) if isinstance(value, Signal) else np.full(len(t), float(value))
 
 
 @dataclass(frozen=True)
@@ -79,8 +75,7 @@ class Task(Component):
 
     def references(self, ports: tuple[str, ...], t: Array, trial: int) -> Array:
         """(times, ports) references."""
-        columns = [self.reference[name].sample(t, trial) if name in self.reference else np.zeros(len(t)) for name in ports]
-        return np.column_stack(columns)
+        return np.column_stack([sampled(self.reference.get(name, 0.0), t, trial) for name in ports])
 
     def limits(self, ports: tuple[str, ...], t: Array, trial: int) -> tuple[Array, Array]:
         """(times, ports) lower and upper limits of the displacement, infinite where there is none.

@@ -15,6 +15,7 @@ from dampen.simulation.bench import Bench
 from dampen.simulation.digital import Sampler
 from dampen.simulation.interrupt import interrupt_noted
 from dampen.simulation.kernel import Record
+from dampen.simulation.memory import begun, never_learned
 from dampen.simulation.passes import passes
 from dampen.simulation.result import Layout, Result
 from dampen.simulation.scenario import Scenario
@@ -51,8 +52,9 @@ def simulate(
     bench = bench or Bench(scenario)
     bench.check_start(scenario)
     setting = setting_of(scenario, bench=bench, compile=compile)
+    unchanged = never_learned(scenario.controller, begun(scenario, setting))
     with blame(scenario.controller, "notes"):
-        warnings = [*bench.warnings, *scenario.controller.notes(setting)]
+        warnings = [*bench.warnings, *scenario.controller.notes(setting), *unchanged]
     store = store or MemoryStore()
     store.open(Layout.of(scenario, bench.x, setting), warnings)
     status, done = "complete", 0

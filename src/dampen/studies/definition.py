@@ -189,9 +189,11 @@ def read_definition(folder: Path) -> Definition:
         text, scenario = ((folder / name).read_text(encoding="utf-8") for name in ("study.toml", "scenario.toml"))
     except (OSError, UnicodeDecodeError) as error:
         reason = error.strerror if isinstance(error, OSError) else "not UTF-8 text"
-        raise ArgumentError(
-            f"Study folder `{folder}` is not a study: study.toml and scenario.toml cannot be read: {reason}."
-        ) from None
+        what = f"study.toml and scenario.toml cannot be read: {reason}."
+        if (folder / "result.nc").is_file() and not (folder / "study.toml").exists():
+            page = folder / "report.html"
+            what = f"it holds a run, whose report is `{page}`." if page.is_file() else "it holds a run."
+        raise ArgumentError(f"Study folder `{folder}` is not a study: {what}") from None
     try:
         table = tomllib.loads(text)
         kind, home = table["kind"], Path(table["home"])

@@ -96,7 +96,7 @@ def read_axis(option: Option, text: str, scenario: Scenario) -> Axis:
     if len(set(paths)) < len(paths):
         raise ArgumentError(f"Option `--{option} {names}` must name each path once.")
     own = [get(scenario, path) for path in paths]
-    axis = _read_range(option, text, paths, written, own)
+    axis = read_range(option, text, paths, written, own)
     if axis.factor or axis.low != axis.high:
         for path, value in zip(paths, own, strict=True):
             if not isinstance(value, int | float) or isinstance(value, bool):
@@ -110,7 +110,8 @@ def read_axis(option: Option, text: str, scenario: Scenario) -> Axis:
     return axis
 
 
-def _read_range(option: Option, text: str, paths: tuple[str, ...], written: str, own: list[Any]) -> Axis:
+def read_range(option: Option, text: str, paths: tuple[str, ...], written: str, own: list[Any]) -> Axis:
+    """An axis of what is written behind PATH=, whatever stands at its paths. own: the values there, which a spread is about."""
     spread = SPREAD.fullmatch(written)
     if option == "uncertain" and spread:
         return _spread(text, paths, spread, own)

@@ -14,14 +14,15 @@ from dampen.controllers.none import NoControl
 from dampen.controllers.norm_optimal_ilc import NormOptimalILC
 from dampen.controllers.p_type_ilc import PTypeILC
 from dampen.controllers.pointwise import PointwiseLearning
+from dampen.own import own
 from dampen.simulation.bench import Bench
 from dampen.simulation.compiled import bind
 from dampen.simulation.compose import BARRIERS
 from dampen.simulation.digital import Sampler
 from dampen.simulation.digital_law import port_law
 from dampen.simulation.digital_side import prepare, sampler_of
-from dampen.simulation.passes import begun, law_of
-from dampen.simulation.pieces import own
+from dampen.simulation.memory import begun
+from dampen.simulation.passes import law_of
 from dampen.simulation.scenario import Scenario
 from dampen.simulation.setting import of_trial, setting_of
 
@@ -114,7 +115,7 @@ def blueprint(
     bench = bench or Bench(scenario)
     setting = setting_of(scenario, bench=bench)
     refuse_wandering(scenario, setting)
-    law = law_of(scenario, begun(scenario.controller, setting), setting)
+    law = law_of(scenario, begun(scenario, setting), setting)
     sampler = prepare(sampler_of(scenario, setting), scenario, setting, law, 0)
     law_itself, readings = law_function(scenario), believed(scenario, setting, guards)
     return Blueprint(scenario, setting, single, guards, law_itself, sampler, readings, tunable)

@@ -11,8 +11,8 @@ import numpy as np
 
 from dampen.component import ArgumentError, own_name
 from dampen.export.c.blueprint import compensation
+from dampen.own import own
 from dampen.simulation.bench import Bench
-from dampen.simulation.pieces import own
 from dampen.simulation.scenario import Scenario
 from dampen.stage import Stage
 

@@ -58,7 +58,7 @@ class Contender:
     settling: the trial from which on all counted ports stay within their thresholds; None: never.
     peaks: by port, the largest |error| of each trial.   refined: None where finer numerics cannot run it.
     notes: what a reader has to know.   seconds: what it took.   searches: all of them; the best is what the contender is.
-    paper: the paper whose law this is, if it is a paper's.
+    paper: the paper whose law this is, if it is a paper's.   untuned: why a kind's gains could not be searched for, if so.
     """
 
     label: str
@@ -80,6 +80,7 @@ class Contender:
     seconds: float
     searches: tuple[Searched, ...] = ()
     paper: str = ""
+    untuned: str = ""
 
     @property
     def held(self) -> bool:

@@ -92,6 +92,7 @@ def judged(
         seconds=time.monotonic() - begun,
         searches=tuple(searches),
         paper=scenario.controller.paper,
+        untuned=entry.start.untuned,
     )
     return contender, result
 

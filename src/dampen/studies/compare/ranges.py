@@ -3,31 +3,38 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
+from contextlib import contextmanager
 from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
 
 from dampen.actuators.backlash import Backlash
-from dampen.component import ArgumentError, parameters
-from dampen.controllers.base import Controller, SampledFeedback
+from dampen.component import ArgumentError, is_number, own_name, parameters, shown, suggestion
+from dampen.controllers.base import Controller, SampledFeedback, Setting
 from dampen.controllers.inner_loop import AssumedBacklash, InnerLoop
+from dampen.controllers.none import NoControl
 from dampen.simulation.bench import Bench
 from dampen.simulation.scenario import Scenario
 from dampen.simulation.setting import setting_of
 from dampen.studies.lens import get
+from dampen.studies.variation import read_axis, read_range
 
 DIGITS = 4
 
 
 @dataclass(frozen=True)
 class Start:
-    """A scenario to begin from, the ranges around it as PATH=RANGE, and what a reader has to know of both."""
+    """A scenario to begin from, the ranges around it as PATH=RANGE, and what a reader has to know of both.
+
+    untuned: why a kind of controller has no ranges; "" if it has, or has no gains.
+    """
 
     scenario: Scenario
     search: tuple[str, ...]
     notes: tuple[str, ...] = ()
+    untuned: str = ""
 
 
 def under(scenario: Scenario, controller: Controller) -> Scenario:
@@ -45,20 +52,23 @@ def from_kind(scenario: Scenario, kind: type[Controller], bench: Bench) -> Start
         raise ArgumentError(f"it has no value for {', '.join(missing)}: name a scenario that has")
     plain, notes = fitted(kind(), scenario)
     ranges = ranges_of(under(scenario, plain), bench)
+    if not ranges:
+        return Start(under(scenario, plain), (), notes, why_untuned(plain))
     tables: dict[str, Any] = {}
     whole = {p.name for p in parameters(kind) if p.type == "whole number"}
     for path, text in ranges.items():
         name, _, key = path.partition(".")
         value = round(middle(text)) if name in whole else middle(text)
         tables[name] = {**tables.get(name, {}), key: value} if key else value
-    made = under(scenario, replace(plain, **tables))
-    return Start(made, tuple(f"controller.{path}={text}" for path, text in ranges.items()), notes)
+    with told_of_search(plain, ", ".join(tables)):
+        made = under(scenario, replace(plain, **tables))
+    return Start(made, tried(made, ranges), notes)
 
 
 def from_controller(scenario: Scenario, bench: Bench) -> Start:
     """A scenario's own controller, from its own gains on. A range that these are outside of is stretched to them; a gain that
     it does not have it is not given."""
-    search, without = [], []
+    search, without = dict[str, str](), []
     for path, text in ranges_of(scenario, bench).items():
         try:
             own = get(scenario, f"controller.{path}")
@@ -67,14 +77,62 @@ def from_controller(scenario: Scenario, bench: Bench) -> Start:
         if own is None:
             without.append(path)
         else:
-            search.append(f"controller.{path}={stretched(text, float(own))}")
+            with told_of_search(scenario.controller, path):
+                search[path] = stretched(text, number(own))
     notes = (f"not searched, since it has no value of its own: {', '.join(without)}",) if without and search else ()
-    return Start(scenario, tuple(search), notes)
+    return Start(scenario, tried(scenario, search), notes)
 
 
 def ranges_of(scenario: Scenario, bench: Bench) -> Mapping[str, str]:
     """What the controller itself says of where its gains may lie."""
-    return scenario.controller.search(setting_of(scenario, bench=bench))
+    return ranges_said(scenario.controller, setting_of(scenario, bench=bench))
+
+
+def ranges_said(controller: Controller, setting: Setting) -> Mapping[str, str]:
+    """The ranges of a controller's `search`. Raises ArgumentError where one is none, or no parameter's."""
+    ranges, known = controller.search(setting), [p.name for p in parameters(type(controller))]
+    for path, text in ranges.items():
+        name = path.partition(".")[0]
+        if name not in known:
+            near = suggestion(name, known) if known else "; it has none."
+            raise ArgumentError(f"{own_name(controller)}.search names `{path}`, which is no parameter of it{near}")
+        with told_of_search(controller, path):
+            read_range("search", text, (f"controller.{path}",), text, [])
+    return ranges
+
+
+def tried(scenario: Scenario, ranges: Mapping[str, str]) -> tuple[str, ...]:
+    """The ranges as PATH=RANGE. Raises ArgumentError for one that leads out of what the controller takes."""
+    texts = {path: f"controller.{path}={text}" for path, text in ranges.items()}
+    for path, text in texts.items():
+        with told_of_search(scenario.controller, path):
+            read_axis("search", text, scenario)
+    return tuple(texts.values())
+
+
+@contextmanager
+def told_of_search(controller: Controller, path: str) -> Iterator[None]:
+    """Complaints about a range, told of the method that said it."""
+    try:
+        yield
+    except ArgumentError as error:
+        option, line = f"Option `--search controller.{path}`", error.lines[0]
+        said = f"{own_name(controller)}.search for `{path}`"
+        raise ArgumentError(line.replace(option, said, 1) if option in line else f"{said}: {line}") from None
+
+
+def number(value: object) -> float:
+    """A gain's own value. Raises ArgumentError where it is no number."""
+    if not is_number(value):
+        raise ArgumentError(f"it must name a number, but names {shown(value)}.")
+    return float(value)  # type: ignore[arg-type]
+
+
+def why_untuned(controller: Controller) -> str:
+    """Why a controller says no ranges; "" for no control, which has no gains."""
+    if isinstance(controller, NoControl):
+        return ""
+    return "defines no `search`" if type(controller).search is Controller.search else "its `search` names no gains"
 
 
 def middle(text: str) -> float:
