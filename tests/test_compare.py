@@ -275,7 +275,7 @@ def test_contenders_that_cannot_be_run_are_left_out_with_the_reason() -> None:
         "boundary-damping", "none", "p-type-ilc", "pd-type-ilc", "norm-optimal-ilc", "lqg",
     }  # fmt: skip
     assert set(plan.left_out) == {"open-loop", "adaptive-boundary", "dual-loop-ailc"}
-    assert plan.left_out["dual-loop-ailc"].startswith("Argument `bounds.f` must be given")
+    assert plan.left_out["dual-loop-ailc"].startswith("Argument `bounds` must be given, f in N/m")
 
 
 CASES = {name: ARM if name.startswith("flexible") else (*SHORT[0:1], "numerics.modes=12") for name in shipped()}
