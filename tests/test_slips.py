@@ -2,14 +2,19 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from pathlib import Path
 
 import pytest
 
 import dampen
+from dampen.cli.run import perform
 from dampen.listing import listing
 from dampen.scenarios.read import parse
+from dampen.simulation.bench import Bench
+from dampen.toml import to_toml
 from tests.conftest import scenario
+from tests.test_scenarios import dampen_command
 
 SETTINGS = {
     "plant.tip_mass=150g": "Argument `plant.tip_mass` must be a number in kg, without the unit, but is '150g'.",
@@ -100,3 +105,67 @@ def test_tables_without_kinds_are_listed(table: str) -> None:
     assert heading.startswith(f"[{table}]    ")
     assert rows
     assert f"[{table}]" in listing()
+
+
+@pytest.mark.parametrize("words", [("plant.tip_mass", "=", "0.2"), ("plant.tip_mass=", "0.2"), ("plant.tip_mass", "=0.2")])
+def test_a_setting_that_the_shell_took_apart(words: tuple[str, ...], tmp_path: Path) -> None:
+    done = dampen_command("run", "he2017", "--set", *words, cwd=tmp_path)
+    assert (done.returncode, len(done.stderr.splitlines())) == (2, 1)
+    assert "; leave out the spaces around =, or quote the whole: --set 'KEY = VALUE'." in done.stderr
+
+
+RANGES: dict[str, Callable[[dampen.Scenario], object]] = {
+    'Argument `search`, for `controller.alpha_4`, must have a range as text like "1:10", but has [1, 10].': (
+        lambda case: dampen.tune(case, {"controller.alpha_4": (1, 10)})
+    ),
+    "Argument `search`, for `controller.alpha_4`, must have a range like LOW:HIGH or LOW:HIGH:log, but has '1,10'.": (
+        lambda case: dampen.tune(case, ["controller.alpha_4=1,10"])
+    ),
+    "Argument `search` must be given at least once.": lambda case: dampen.tune(case, {}),
+    "Argument `robust_over`, for `plant.tip_mass`, must have a range like +-30%": (
+        lambda case: dampen.tune(case, {"controller.alpha_4": "1:10"}, robust_over={"plant.tip_mass": "x"})
+    ),
+    "Argument `uncertain`, for `plant.tip_mass`, must have a range as text like +-30%": (
+        lambda case: dampen.robust(case, {"plant.tip_mass": [1, 2, 3]})
+    ),
+    "Argument `vary`, for `plant.tip_mass`, must have a range as text like LOW:HIGH:COUNT": (
+        lambda case: dampen.sweep(case, {"plant.tip_mass": 3})  # type: ignore[dict-item]
+    ),
+}
+
+
+@pytest.mark.parametrize("words", RANGES)
+def test_python_is_told_of_arguments_not_of_options(words: str) -> None:
+    with pytest.raises(dampen.ArgumentError) as error:
+        RANGES[words](scenario("task.trials=1", "numerics.modes=4"))
+    assert error.value.lines[0].startswith(words)
+
+
+@pytest.mark.parametrize(("said", "told"), [('[controller]\nkind = "none"\n', 0), ("", 1)])
+def test_a_scenario_without_a_controller_is_noted(
+    said: str, told: int, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    free = scenario("task.trials=1", "task.trial_duration=0.02", "numerics.modes=4", "output.every=1", "controller.kind=none")
+    text = to_toml(free)
+    assert '[controller]\nkind = "none"\n' in text
+    (tmp_path / "free.toml").write_text(text.replace('[controller]\nkind = "none"\n', said))
+    perform(str(tmp_path / "free.toml"), None, tmp_path / "out", report=False)
+    assert capsys.readouterr().err.count("Note: The scenario has no [controller]: nothing is controlled.") == told
+
+
+@pytest.mark.parametrize(
+    ("settings", "words"),
+    [
+        (
+            ["task.constraint.tip_w=5.0"],
+            ["At tip_w 5 m are allowed, more than the 1 m of the structure: is the constraint in m?"],
+        ),
+        (["task.constraint.tip_w=[-0.9, 0.9]", "task.constraint.tip_phi=5.0"], []),
+        (["plant.length=1e-4", "plant.tip_mass=0.0", "plant.tip_inertia=0.0"], ["The lowest mode is at ", "`numerics.step` = "]),
+    ],
+)
+def test_what_may_be_in_other_units_is_noted(settings: list[str], words: list[str]) -> None:
+    few = ("task.trials=1", "numerics.modes=4", "controller.kind=none", "disturbance.kind=none", "task.constraint={}")
+    warnings = Bench(scenario(*few, *settings)).warnings
+    assert all(word in " ".join(warnings) for word in words)
+    assert bool(warnings) == bool(words)

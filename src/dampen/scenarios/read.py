@@ -135,7 +135,8 @@ def override(table: Table, settings: Sequence[str]) -> Table:
         path, equals, text = setting.partition("=")
         keys = [key.strip() for key in path.split(".")]
         if not equals or not all(keys) or keys == ["kind"]:
-            raise ArgumentError(f"Option `--set` must look like table.key=value, but is {shown(setting)}.")
+            must = "look like table.key=value, without spaces or in quotes"
+            raise ArgumentError(f"Option `--set` must {must}, but is {shown(setting)}.")
         pairs.append((keys, _value(path.strip(), text.strip())))
     for keys, value in sorted(pairs, key=lambda pair: pair[0][-1] != "kind"):
         target: Any = table
