@@ -9,6 +9,7 @@ import pytest
 
 import dampen
 from dampen.cli.run import perform
+from dampen.cli.terminal import show_table
 from dampen.listing import listing
 from dampen.scenarios.read import parse
 from dampen.simulation.bench import Bench
@@ -169,3 +170,19 @@ def test_what_may_be_in_other_units_is_noted(settings: list[str], words: list[st
     warnings = Bench(scenario(*few, *settings)).warnings
     assert all(word in " ".join(warnings) for word in words)
     assert bool(warnings) == bool(words)
+
+
+@pytest.mark.parametrize(("width", "parts"), [(140, 1), (50, 2), (12, 3)])
+def test_a_table_keeps_brackets_and_whole_words_and_goes_on_below(
+    width: int, parts: int, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    monkeypatch.setenv("COLUMNS", str(width))
+    headings = ("Contender", "Gains", "peak tip w [m]", "RMS tip phi [rad]")
+    show_table(
+        headings, [("boundary-damping", "none; constraint lost" + 20 * " and", "[red]0.1[/red]", "2")], headings[2:], headings[:1]
+    )
+    printed = capsys.readouterr().out
+    assert sum("\N{BOX DRAWINGS LIGHT HORIZONTAL}" in line for line in printed.splitlines()) == parts
+    assert max(map(len, printed.splitlines())) <= width
+    if width > 12:
+        assert all(word in printed for word in ("[m]", "[rad]", "[red]0.1[/red]", "constraint", "boundary-damping"))

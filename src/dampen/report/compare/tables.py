@@ -78,7 +78,9 @@ def terminal_tables(found: Comparison) -> list[tuple[list[str], list[list[str]]]
 def how(c: Contender) -> str:
     """How its gains came about, and what there is to say of its run."""
     begun = BEGUN.get(c.source, "its own gains")
-    words = f"tuned from {begun}, {tries(c)}" if c.tuned else "as given" if c.gains or c.source != "kind" else GIVEN[c.kind == "none"]
+    words = (
+        f"tuned from {begun}, {tries(c)}" if c.tuned else "as given" if c.gains or c.source != "kind" else GIVEN[c.kind == "none"]
+    )
     extras = [*(["through samples"] if c.sampled else []), *([STATUS[c.status]] if c.status in STATUS else [])]
     extras += ["forces did not settle"] if c.merits["unsettled"] > 0 else []
     return "; ".join([words, *extras])
