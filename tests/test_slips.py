@@ -129,7 +129,7 @@ RANGES: dict[str, Callable[[dampen.Scenario], object]] = {
     "Argument `uncertain`, for `plant.tip_mass`, must have a range as text like +-30%": (
         lambda case: dampen.robust(case, {"plant.tip_mass": [1, 2, 3]})
     ),
-    "Argument `vary`, for `plant.tip_mass`, must have a range as text like LOW:HIGH:COUNT": (
+    "Argument `vary`, for `plant.tip_mass`, must have a range as text, or a list of values, but has 3.": (
         lambda case: dampen.sweep(case, {"plant.tip_mass": 3})  # type: ignore[dict-item]
     ),
 }

@@ -23,16 +23,17 @@ OPTION = re.compile(r"Option `--(?P<name>[\w-]+)(?: (?P<path>[^`]+))?`")
 
 
 @contextmanager
-def for_python(**names: str) -> Iterator[None]:
-    """Complaints about a command's options become complaints about a function's arguments; names: of those that differ."""
+def for_python(**others: str) -> Iterator[None]:
+    """Complaints about a command's options become complaints about a function's arguments; others: of other names."""
+    others = {"scheduler": "engine", **others}
+
+    def argument(option: re.Match[str]) -> str:
+        name = others.get(option["name"], option["name"].replace("-", "_"))
+        return f"Argument `{name}`" + (f", for `{option['path']}`," if option["path"] else "")
+
     try:
         yield
     except ArgumentError as error:
-
-        def argument(found: re.Match[str]) -> str:
-            name = found["name"].replace("-", "_")
-            return f"Argument `{names.get(name, name)}`" + (f", for `{found['path']}`," if found["path"] else "")
-
         raise ArgumentError([OPTION.sub(argument, line, count=1) for line in error.lines]) from None
 
 
@@ -138,6 +139,7 @@ def tune(
 
 
 @takes(folder=PATH, engine=ENGINE, progress=PROGRESS)
+@for_python()
 def resume(folder: str | Path, *, engine: Engine | int | str | None = None, progress: Progress | None = None) -> Study:
     """Go on with a study from where it was left. Raises ArgumentError for a folder that holds none."""
     return open_study(folder).run(engine_of(engine), progress)
@@ -182,9 +184,13 @@ def _written(argument: str, path: str, given: Any) -> str:
     if isinstance(given, str):
         return given
     values = plain_value(given)
-    listed = isinstance(values, tuple) and len(values) > 0
-    if argument == "vary" and listed:
+    several = isinstance(values, tuple) and len(values) > 0
+    if argument == "vary" and several:
         return ",".join(literal(value) for value in values)
-    ends = len(values) == 2 and all(map(is_number, values)) if listed else False
-    form = f'"{values[0]:g}:{values[1]:g}"' if ends else FORMS[argument] if argument in FORMS else FORMS["uncertain"]
-    raise ArgumentError(f"Argument `{argument}`, for `{path}`, must have a range as text like {form}, but has {shown(given)}.")
+    if argument == "vary":
+        form = ", or a list of values"
+    elif several and len(values) == 2 and all(map(is_number, values)):
+        form = f' like "{values[0]:g}:{values[1]:g}"'
+    else:
+        form = f" like {FORMS['search' if argument == 'search' else 'uncertain']}"
+    raise ArgumentError(f"Argument `{argument}`, for `{path}`, must have a range as text{form}, but has {shown(given)}.")
