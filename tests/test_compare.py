@@ -107,9 +107,9 @@ def test_everybody_gets_the_same_budget_seed_and_objective_or_says_so(compared: 
         else:
             assert (c.candidates, c.start, c.searches) == (0, None, ())
     rows = {row[0]: row[1] for row in table(found)[1]}
-    assert rows["boundary-damping"] == f"tuned, 2 x {BUDGET}"
+    assert rows["boundary-damping"] == f"tuned from mid-range gains, 2 x {BUDGET}"
     assert rows["he2017-tuned-direct"] == "as given"
-    assert rows["lqg"].startswith(f"tuned, 2 x {BUDGET}; through samples")
+    assert rows["lqg"].startswith(f"tuned from mid-range gains, 2 x {BUDGET}; through samples")
     heads, cells = table(found)
     column = {row[0]: row[heads.index("over searches")] for row in cells}
     assert column["none"] == DASH
@@ -275,7 +275,7 @@ def test_contenders_that_cannot_be_run_are_left_out_with_the_reason() -> None:
         "boundary-damping", "none", "p-type-ilc", "pd-type-ilc", "norm-optimal-ilc", "lqg",
     }  # fmt: skip
     assert set(plan.left_out) == {"open-loop", "adaptive-boundary", "dual-loop-ailc"}
-    assert plan.left_out["dual-loop-ailc"].startswith("Argument `bounds.f` must be given")
+    assert plan.left_out["dual-loop-ailc"].startswith("Argument `bounds` must be given, f in N/m")
 
 
 CASES = {name: ARM if name.startswith("flexible") else (*SHORT[0:1], "numerics.modes=12") for name in shipped()}

@@ -19,7 +19,7 @@ from dampen.analysis.limit.curve import Limit, limit, limits
 from dampen.analysis.limit.lifted import Lifted, effort_square, mean_square
 from dampen.analysis.limit.measure import effort, measure, measured, measures, scales
 from dampen.analysis.limit.riccati import solve
-from dampen.analysis.limit.standing import standing
+from dampen.analysis.limit.standing import Standing, standing
 from dampen.scenarios.read import shipped
 from dampen.simulation.bench import Bench
 
@@ -290,3 +290,19 @@ def test_its_figure_names_the_runs_below_the_curve_and_says_what_is_not_bounded(
     assert box.x1 < axes.get_window_extent().x1
     assert 0 < bottom < of_w.points[-1].rms
     assert "Peaks are not bounded by it: learning 0.160 m" in text
+
+
+def test_where_there_is_no_bound_the_effort_from_which_on_is_told() -> None:
+    from dampen.report.review.tables import limit_rows
+    from dampen.report.review.words import limited
+    from dampen.studies.record import record
+
+    scenario = tiny()
+    found = limit(scenario, "w", weights=(1e-1, 1e-3))
+    assert found.cancelled == max(math.sqrt(point.dual / point.weight) for point in found.points)
+    assert found.bound(0.99 * found.cancelled) > 0 == found.bound(1.01 * found.cancelled)
+    beyond = Standing("w", "m", 2 * found.cancelled, 0.1, 0.2, 0.0, found.reached(2 * found.cancelled), None, False)
+    (text,) = limited([found], [beyond])
+    assert f"From {found.cancelled:#.3g} N on the disturbance can be cancelled: there is no bound there; some forces" in text
+    (row,) = limit_rows(record(scenario, limits=(found,), standings=(beyond,)))
+    assert row[4:6] == ("no bound", "\N{EN DASH}")

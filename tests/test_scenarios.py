@@ -64,8 +64,8 @@ BAD = {
     "controller.kind=pid": "Argument `controller.kind` must be a known kind of controller, but is 'pid'; known here",
     "output.every=7": "Argument `output.every` must divide the 2000 steps of a trial, but is 7.",
     "numerics.modes=2000": "Argument `numerics.modes` must be <= 1000, but is 2000.",
-    "controller.alpha_8": "Option `--set` must look like table.key=value, but is 'controller.alpha_8'.",
-    "plant.tip_mass=1,2": "Option `--set plant.tip_mass` must have a TOML value, but has '1,2'.",
+    "controller.alpha_8": "Option `--set` must look like table.key=value, without spaces or in quotes, but is 'con",
+    "plant.tip_mass=1,2": "Option `--set plant.tip_mass` must have a TOML value, but has '1,2'; did you mean --set",
     "plant.tip_mass.x=1": "Option `--set plant.tip_mass.x` must name a key, but `tip_mass` is a value, 0.1, not a table.",
     "plant=3": "Argument `plant` must be a table, but is 3.",
 }

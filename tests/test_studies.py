@@ -387,7 +387,7 @@ def test_a_cluster_by_address_gives_the_same_table_though_a_worker_is_killed(clu
 
 
 def test_a_scheduler_that_is_not_there_is_one_clear_line(short: dampen.Scenario) -> None:
-    with pytest.raises(dampen.ArgumentError, match="Option `--scheduler` must be the address of a running scheduler"):
+    with pytest.raises(dampen.ArgumentError, match="Argument `engine` must be the address of a running scheduler"):
         sweep(short, {"controller.alpha_4": "1:2:2"}, engine="nonsense://127.0.0.1:1")
 
 

@@ -312,5 +312,18 @@ def test_the_terminal_s_table_has_best_median_and_worst() -> None:
     heads, rows = summary_rows(study)
     ran = study.table[study.table.status != "diverged"]
     assert heads == ["Figure of merit", "Best", "Median", "Worst"]
-    assert ["peak error", percent(ran.peak.min()), percent(ran.peak.median()), percent(ran.peak.max())] in rows
+    assert ["peak error (peak)", percent(ran.peak.min()), percent(ran.peak.median()), percent(ran.peak.max())] in rows
     assert ["margin", percent(ran.margin.max()), percent(ran.margin.median()), percent(ran.margin.min())] in rows
+
+
+@pytest.mark.parametrize(("objectives", "head"), [(("peak",), "Winner"), (("residual", "effort"), "Winner in residual")])
+def test_a_tuning_s_table_has_its_winner_beside_what_others_reached(objectives: tuple[str, ...], head: str) -> None:
+    study = tune_study(objectives, generations=1)
+    heads, rows = summary_rows(study)
+    assert heads == ["Figure of merit", head, "Best", "Median", "Worst"]
+    table = study.table
+    winner = table[table.status == "complete"].sort_values(objectives[0]).iloc[0]
+    told = {row[0]: row[1] for row in rows}
+    assert told["peak error (peak)"] == percent(winner.peak)
+    assert told["rms force (effort; N, N m together)"] == f"{winner.effort:#.3g}"
+    assert verdict_of(study).startswith("After 1 generation the best")

@@ -11,6 +11,7 @@ from __future__ import annotations
 
 import dataclasses
 import difflib
+import re
 from abc import ABC
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import MISSING, dataclass, fields
@@ -40,6 +41,11 @@ _TYPES = {
     "tuple_type": "a list",
     "dict_type": "a table",
 }
+
+
+NUMBER = r"[-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?"
+UNIT = r"(?:[^\W\d_]|[%°])[\w/^*%° .-]*"
+WITH_UNIT = re.compile(f"{NUMBER} *{UNIT}")  # text that was to be a number: 150g, 5 mm, 30 %
 
 
 class InFile:
@@ -96,15 +102,24 @@ def own_name(thing: Any) -> str:
 
 def shown(value: object, width: int = 60) -> str:
     """`value` as its owner wrote it, cut to a readable length."""
-    text = repr(list(value) if isinstance(value, tuple) else value)
+    return cut(repr(list(value) if isinstance(value, tuple) else value), width)
+
+
+def cut(text: str, width: int = 60) -> str:
+    """`text`, or its beginning where it is longer."""
     return text if len(text) <= width else text[: width - 3] + "..."
+
+
+def near(word: str, known: Iterable[str]) -> str:
+    """'; did you mean `x`?' when some known word is near, "" when none is."""
+    found = difflib.get_close_matches(word, list(known), n=1, cutoff=0.6)
+    return f"; did you mean `{found[0]}`?" if found else ""
 
 
 def suggestion(word: str, known: Iterable[str]) -> str:
     """'; did you mean `x`?' when some known word is near, the list of known words when none is."""
     known = list(known)
-    near = difflib.get_close_matches(word, known, n=1, cutoff=0.6)
-    return f"; did you mean `{near[0]}`?" if near else f"; known here: {', '.join(known)}."
+    return near(word, known) or f"; known here: {', '.join(known)}."
 
 
 def listed(words: Sequence[str]) -> str:
@@ -297,11 +312,15 @@ def _lines(cls: type, values: Mapping[str, Any], errors: Sequence[Any]) -> list[
     known = {p.name: p for p in parameters(cls)}
     lines: dict[object, str] = {}
     for error in sorted(errors, key=lambda e: not _bound(e)):
-        name = str(error["loc"][0])
-        if " or " in known[name].type:
-            lines.setdefault(name, _line(known[name], [], error, values[name]))
+        name, *inner = error["loc"]
+        base, value = split_hint(hints_of(cls)[name])[0], values[name]
+        if " or " not in known[name].type:
+            lines[error["loc"]] = _line(known[name], inner, error, error["input"])
+        elif inner and get_origin(base) is dict:
+            member = dataclasses.replace(known[name], name=f"{name}.{inner[0]}", type=_type_name(get_args(base)[1]))
+            lines.setdefault(member.name, _line(member, [], error, value[inner[0]]))
         else:
-            lines[error["loc"]] = _line(known[name], error["loc"][1:], error, error["input"])
+            lines.setdefault(name, _line(known[name], [], error, value))
     return list(lines.values())
 
 
@@ -312,14 +331,26 @@ def _bound(error: Any) -> tuple[str, str] | None:
 def _line(parameter: Parameter, inner: Sequence[Any], error: Any, value: object) -> str:
     path = parameter.name + "".join(f"[{part}]" if isinstance(part, int) else f".{part}" for part in inner if part != "[key]")
     unit, kind, bound = (f" {parameter.unit}" if parameter.unit else ""), error["type"], _bound(error)
+    units = f" in{unit}" if unit else ""
     if bound:
         must = f"be {bound[0]} {error['ctx'][bound[1]]:g}{unit}"
     elif kind == "literal_error":
         must = f"be {error['ctx']['expected']}"
     elif kind == "is_instance_of" and inner:
         must = f"be a {error['ctx']['class']}"
-    elif " or " in parameter.type or kind == "is_instance_of":
+    elif kind == "dict_type" and "port" in parameter.doc:
+        must = f"be a table by port, such as {{tip_w = {shown(value, 30) if _may_be_of_a_port(value) else '...'}}}{units}"
+    elif " or " in parameter.type:
+        must = f"be a {parameter.type}{units}"
+    elif kind == "is_instance_of":
         must = f"be a {parameter.type}"
     else:
-        must = f"be {_TYPES.get(kind, error['msg'])}{f' in{unit}' if unit else ''}"
+        must = f"be {_TYPES.get(kind, error['msg'])}{units}"
+    if "number" in must and isinstance(value, str) and WITH_UNIT.fullmatch(value):
+        must += ", without the unit"
     return wrong(path, must, value).lines[0]
+
+
+def _may_be_of_a_port(value: object) -> bool:
+    """Whether what was given for all ports might have been meant for one: a number, or a list of numbers."""
+    return is_number(value) or (isinstance(value, tuple) and len(value) > 0 and all(map(is_number, value)))

@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import fields
+from dataclasses import fields, replace
 
 from dampen.component import ArgumentError, Component, Parameter, hints_of, parameters, split_hint, suggestion
 from dampen.scenarios.kinds import KINDS, find_own_kind
 from dampen.scenarios.read import TABLES, shipped, table_of
+from dampen.simulation.scenario import Scenario
 from dampen.toml import literal
 
 
@@ -21,12 +22,12 @@ def listing(kind: str | None = None) -> str:
         table, cls = find_own_kind(kind, "kind")
         entries = [(table, kind, cls)]
     if not entries:
-        known = sorted({name for table, own, _ in _entries() for name in (table, own) if name})
+        known = sorted({name for table, own, *_ in _entries() for name in (table, own) if name})
         raise ArgumentError(f"Argument `kind` must be a kind or a table, but is {kind!r}{suggestion(str(kind), known)}")
     lines = [] if kind else ["Scenarios (dampen run NAME, dampen show NAME)", *_scenarios()]
-    for table, own, cls in entries:
+    for table, own, summary, rows in entries:
         name = f'[{table}] kind = "{own}"' if own else f"[{table}]"
-        lines += ["", f"{name}    {cls.summary()}", *_rows(cls)]
+        lines += ["", f"{name}    {summary}", *rows]
     return "\n".join(lines).lstrip("\n")
 
 
@@ -36,11 +37,13 @@ def overview() -> str:
     return "\n".join([*lines, *(f"  {table:<14}{', '.join(cls.kind for cls in classes)}" for table, classes in KINDS.items())])
 
 
-def _entries() -> Iterator[tuple[str, str, type[Component]]]:
-    """(table, kind, class) of everything that a scenario file can hold."""
+def _entries() -> Iterator[tuple[str, str, str, list[str]]]:
+    """(table, kind, summary, rows) of everything that a scenario file can hold."""
     for table, classes in KINDS.items():
-        yield from ((table, cls.kind, cls) for cls in classes)
-    yield from ((table, "", cls) for table, cls in TABLES.items())
+        yield from ((table, cls.kind, cls.summary(), _rows(cls)) for cls in classes)
+    bounds = next(p for p in parameters(Scenario) if p.name == "bounds")
+    yield "bounds", "", "What the controller is told of the disturbances.", [_row("PORT, f", replace(bounds, type="number"))]
+    yield from ((table, "", cls.summary(), _rows(cls)) for table, cls in TABLES.items())
 
 
 def _scenarios() -> list[str]:
@@ -55,8 +58,12 @@ def _rows(cls: type[Component], prefix: str = "") -> list[str]:
         if isinstance(inner[p.name], type) and issubclass(inner[p.name], Component):
             rows += _rows(inner[p.name], f"{prefix}{p.name}.")
         else:
-            rows.append(f"  {prefix + p.name:<24} {_default(p):<20} {p.unit:<10} {_about(p)}".rstrip())
+            rows.append(_row(f"{prefix}{p.name}", p))
     return rows
+
+
+def _row(name: str, p: Parameter) -> str:
+    return f"  {name:<24} {_default(p):<20} {p.unit:<10} {_about(p)}".rstrip()
 
 
 def _default(p: Parameter) -> str:

@@ -6,6 +6,7 @@ import codecs
 import gc
 import os
 import sys
+from collections.abc import Sequence
 from typing import Annotated
 
 import typer
@@ -16,6 +17,7 @@ from dampen.component import ArgumentError
 
 KIND_HELP = 'a kind, such as backlash or "module:Class" of your own, or a table, such as plant; left out: all'
 TYPER_INTERRUPTED = 130  # what typer makes of a KeyboardInterrupt that no command has caught
+SPACED = "; leave out the spaces around =, or quote the whole: --set 'KEY = VALUE'."
 
 # One function a command; heavy packages are imported where they are used, so that --help is quick.
 app = typer.Typer(
@@ -82,6 +84,11 @@ def in_utf8() -> None:
         os.execve(sys.executable, sys.orig_argv, {**os.environ, "PYTHONUTF8": "1"})
 
 
+def is_spaced(words: Sequence[str]) -> bool:
+    """Whether the shell has taken a setting apart at the spaces around its =."""
+    return any(word.startswith("=") or word.endswith("=") for word in words)
+
+
 def main() -> None:
     """Entry point: bad input is one clear line and exit status 2."""
     in_utf8()
@@ -105,7 +112,7 @@ def main() -> None:
     except Exception as error:
         if not hasattr(error, "format_message"):  # usage errors, whose class typer keeps to itself
             raise
-        status = complain([error.format_message()])
+        status = complain([error.format_message() + (SPACED if is_spaced(sys.argv) else "")])
     if status == BROKE_OFF:
         exec("")  # else `python -m` ends by SIGINT, not with this status, where Ctrl-C came in code that a library made of text
     sys.exit(status)

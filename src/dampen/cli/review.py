@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
-from dampen.cli.run import OutOption, ReportOption, finish, perform
+from dampen.cli.run import RUNS, OutOption, ReportOption, finish, perform
 from dampen.cli.terminal import HOURS, HoursOption, ScenarioArgument, SetOption, err, out, progress_line, show_table, working
 
 if TYPE_CHECKING:
@@ -19,6 +19,7 @@ if TYPE_CHECKING:
     from dampen.simulation.scenario import Scenario
     from dampen.studies.record import Record
 
+LONG = 10.0  # seconds: what takes longer is announced
 EXIT = "Exit status: 0 when the run completed, whatever was found; 2 for bad input; 3 when it broke off, with what it has saved."
 LIMIT_HELP = (
     "How far from the best possible? The least RMS of each field (or tracking error) that any forces at the same ports could "
@@ -150,7 +151,11 @@ def limits_of(bench: Bench, result: Result, of: Sequence[str]) -> Iterator[tuple
     from dampen.analysis.limit.curve import limit as limited
     from dampen.analysis.limit.measure import measures
     from dampen.analysis.limit.standing import standing
+    from dampen.simulation.cost import predicted_seconds
 
+    seconds = RUNS["limit"] * predicted_seconds(result.scenario)
+    if seconds > LONG:
+        err.print(f"Finding the limit: this takes roughly {float(f'{seconds:.1g}'):g} s.", markup=False)
     for name in dict.fromkeys(of or measures(result.scenario)):
         with progress_line(f"Limit of {name}") as update:
             found = limited(result.scenario, name, bench=bench, progress=partial(told, update))

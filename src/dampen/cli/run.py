@@ -51,6 +51,8 @@ LEFT = (  # by an earlier run
     "report.html", "audit.json", "continuous.nc", "uncontrolled.nc", "exchanges.parquet", "figures/exchanges.png",
     "figures/exchanges.svg", "result.nc",
 )  # fmt: skip
+WITHOUT = "The scenario has no [controller]: nothing is controlled."
+COMPILING = "Compiling the simulation kernel: once for this combination of pieces, about ten seconds."
 Review = Callable[["Bench", "Result"], tuple["Record", bool]]
 
 
@@ -102,7 +104,7 @@ def perform(
     from threadpoolctl import threadpool_limits
 
     from dampen.scenarios.claims import check_claims
-    from dampen.scenarios.read import read_scenario
+    from dampen.scenarios.read import build, folder_of, override, table_of
     from dampen.simulation.bench import Bench
     from dampen.simulation.cost import check_time
     from dampen.simulation.memory import begun
@@ -110,7 +112,8 @@ def perform(
     from dampen.studies.experiment import beside, own_review
     from dampen.studies.record import write_record
 
-    experiment = read_scenario(scenario, set_ or ())
+    table = override(table_of(scenario), set_ or ())
+    experiment = build(table, folder_of(scenario))
     check(experiment)
     check_time(experiment, RUNS[purpose] + len(beside(experiment)), hours)
     with ExitStack() as kept, threadpool_limits(1):
@@ -118,7 +121,7 @@ def perform(
         begun(experiment, setting_of(experiment, bench=bench))  # as this does what its law cannot begin with
         folder = kept.enter_context(output_folder(folder, f"{experiment.name}-{purpose}" if purpose else experiment.name))
         runs = run_shown(bench, folder)
-        for line in runs.result.warnings:
+        for line in [*([] if "controller" in table else [WITHOUT]), *runs.result.warnings]:
             err.print(f"Note: {line}", markup=False)
         if review is None or runs.interrupted:  # after Ctrl-C nothing more is run
             record, whole = own_review(bench, runs.result), True
@@ -188,12 +191,12 @@ def run_shown(bench: Bench, folder: Path) -> Runs:
 
 
 def compile_ahead(scenario: Scenario, bench: Bench) -> None:
-    """Say so before the wait: the first run on a machine compiles the kernel."""
+    """Say so before the wait: the first run of a combination of pieces on a machine compiles the kernel."""
     from dampen.simulation.compose import is_ready
 
     kernel, _ = bench.kernel(scenario)
     if not is_ready(kernel):
-        err.print("Compiling the simulation kernel; this happens once and takes about ten seconds.")
+        err.print(COMPILING)
 
 
 def show_outcome(done: Done) -> None:

@@ -7,7 +7,7 @@ import os
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
 from pathlib import Path
-from typing import Annotated, Any
+from typing import Annotated, Any, Literal
 
 import typer
 from rich.console import Console
@@ -50,6 +50,7 @@ SetOption = Annotated[
 ]
 
 
+COLUMN_EDGE = 3  # letters between two columns of a table
 HOURS = 24.0
 HoursOption = Annotated[float, typer.Option("--hours", help="refuse what is predicted to take longer")]
 
@@ -98,15 +99,39 @@ def working(what: str) -> Iterator[None]:
 def show_table(
     headings: Sequence[str], rows: Sequence[Sequence[Any]], numbers: Sequence[str] = (), kept: Sequence[str] = ()
 ) -> None:
-    """A table; columns in `numbers` are set to the right, those in `kept` are not broken over lines. In a pipe it is 140 wide,
-    or what COLUMNS says."""
+    """A table; columns in `numbers` are set to the right, those in `kept` are not broken over lines, others between words alone.
+    Columns that do not fit beside one another come below, behind the first column again. In a pipe the width is 140, or what
+    COLUMNS says."""
     from rich import box
     from rich.table import Table
+    from rich.text import Text
 
-    table = Table(box=box.SIMPLE_HEAD, pad_edge=False)
-    for heading in headings:
-        whole = heading in kept
-        table.add_column(heading, justify="right" if heading in numbers else "left", overflow="fold", no_wrap=whole)
-    for row in rows:
-        table.add_row(*row)
-    Terminal(highlight=False, width=None if out.is_terminal or "COLUMNS" in os.environ else 140).print(table)
+    console = Terminal(highlight=False, width=None if out.is_terminal or "COLUMNS" in os.environ else 140)
+    columns = list(zip(headings, *rows, strict=True))
+    least = [
+        max(len(part) for cell in column for part in ([str(cell)] if column[0] in kept else str(cell).split()) or [""])
+        for column in columns
+    ]
+    for shown in side_by_side(least, console.width):
+        fits = sum(least[i] + COLUMN_EDGE for i in shown) <= console.width
+        table = Table(box=box.SIMPLE_HEAD, pad_edge=False)
+        for i in shown:
+            side: Literal["left", "right"] = "right" if headings[i] in numbers else "left"
+            whole = fits and headings[i] in kept
+            table.add_column(
+                Text(headings[i]), justify=side, overflow="fold", no_wrap=whole, min_width=least[i] if fits else None
+            )
+        for row in rows:
+            cells = [row[i] for i in shown]
+            table.add_row(*(Text(cell) if isinstance(cell, str) else cell for cell in cells))  # brackets in text are no markup
+        console.print(table)
+
+
+def side_by_side(least: Sequence[int], width: int) -> list[list[int]]:
+    """Which columns stand beside one another, for what each needs at least; the first one begins every part."""
+    parts: list[list[int]] = [[0]]
+    for i in range(1, len(least)):
+        if len(parts[-1]) > 1 and sum(least[k] + COLUMN_EDGE for k in (*parts[-1], i)) > width:
+            parts.append([0])
+        parts[-1].append(i)
+    return parts

@@ -12,11 +12,24 @@ from pathlib import Path
 from typing import Any, get_args, get_origin
 
 from dampen.arguments import PATH, TEXTS, takes
-from dampen.component import ArgumentError, Component, InFile, hints_of, parameters, shown, split_hint, suggestion, wrong
+from dampen.component import (
+    WITH_UNIT,
+    ArgumentError,
+    Component,
+    InFile,
+    hints_of,
+    near,
+    parameters,
+    shown,
+    split_hint,
+    suggestion,
+    wrong,
+)
 from dampen.controllers.none import NoControl
 from dampen.disturbances.none import NoDisturbance
 from dampen.own import own_function
 from dampen.scenarios.kinds import FAMILIES, KINDS, find_kind
+from dampen.scenarios.slips import fault, meant
 from dampen.simulation.sampling import Sampling
 from dampen.simulation.scenario import Numerics, Output, Scenario
 from dampen.simulation.task import Task
@@ -98,7 +111,13 @@ def source_text(source: str | Path) -> str:
             raise
         named = getattr(error, "strerror", None) or error  # ValueError: no name that a file can have
         reason = "not UTF-8 text" if isinstance(error, UnicodeDecodeError) else named
-        raise ArgumentError(f"Scenario file `{source}` cannot be read: {reason}.") from None
+        other = near(path.name, neighbours(path)) if isinstance(error, FileNotFoundError) else ""
+        raise ArgumentError(f"Scenario file `{source}` cannot be read: {reason}{other or '.'}") from None
+
+
+def neighbours(path: Path) -> list[str]:
+    """What may be meant by a file that is not there: the shipped scenarios, and the TOML files of its folder."""
+    return [*shipped(), *(other.name for other in path.parent.glob("*.toml"))]
 
 
 def parse(text: str, name: str) -> Table:
@@ -106,7 +125,7 @@ def parse(text: str, name: str) -> Table:
     try:
         return tomllib.loads(text)
     except (ValueError, RecursionError) as error:  # also numbers too long, tables too deep
-        raise ArgumentError(f"Scenario file `{name}` is not valid TOML: {error}.") from None
+        raise ArgumentError(f"Scenario file `{name}` is not valid TOML: {fault(error, text)}") from None
 
 
 def override(table: Table, settings: Sequence[str]) -> Table:
@@ -116,7 +135,8 @@ def override(table: Table, settings: Sequence[str]) -> Table:
         path, equals, text = setting.partition("=")
         keys = [key.strip() for key in path.split(".")]
         if not equals or not all(keys) or keys == ["kind"]:
-            raise ArgumentError(f"Option `--set` must look like table.key=value, but is {shown(setting)}.")
+            must = "look like table.key=value, without spaces or in quotes"
+            raise ArgumentError(f"Option `--set` must {must}, but is {shown(setting)}.")
         pairs.append((keys, _value(path.strip(), text.strip())))
     for keys, value in sorted(pairs, key=lambda pair: pair[0][-1] != "kind"):
         target: Any = table
@@ -137,9 +157,10 @@ def _value(path: str, text: str) -> Any:
         if list(table) == ["value"]:
             return table["value"]
     except (ValueError, RecursionError):
-        if BARE_WORD.fullmatch(text):
+        if BARE_WORD.fullmatch(text) or WITH_UNIT.fullmatch(text):  # a number with a unit is refused where the unit is known
             return text
-    raise ArgumentError(f"Option `--set {path}` must have a TOML value, but has {shown(text)}.")
+    hint = meant(f"{path}={text}", "--set '{}'")
+    raise ArgumentError(f"Option `--set {path}` must have a TOML value, but has {shown(text)}{hint}")
 
 
 def _inside(target: Any, key: str, keys: list[str]) -> Any:

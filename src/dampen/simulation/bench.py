@@ -22,7 +22,7 @@ from dampen.simulation.digital_law import port_law
 from dampen.simulation.kernel import Inputs
 from dampen.simulation.pieces import check_stages, modes_of
 from dampen.simulation.records import aligned, exact_step, modal_record
-from dampen.simulation.resolution import check_ports, check_resolution
+from dampen.simulation.resolution import check_ports, check_resolution, odd_sizes
 from dampen.simulation.scenario import Scenario
 from dampen.stage import Stage
 
@@ -68,7 +68,7 @@ class Bench:
         if not all(np.all(np.isfinite(part)) for part in self.start):
             raise ArgumentError("Argument `plant.initial` must be a shape and a rate that stay finite along the structure.")
         check_ports(scenario, self.modes)
-        self.warnings = check_resolution(scenario, self.modes, self.site)
+        self.warnings = [*check_resolution(scenario, self.modes, self.site), *odd_sizes(scenario, self.modes)]
         self.check_start(scenario)
         self._stages: list[type[Stage]] = []
         self._sampled_law: Callable[..., None] | None = None

@@ -1,4 +1,5 @@
-"""Can modes, step and quadrature resolve what shakes the structure? Refuse what they cannot, warn where it is thin."""
+"""Can modes, step and quadrature resolve what shakes the structure? Refuse what they cannot, warn where it is thin, and where
+a number may be in other units."""
 
 from __future__ import annotations
 
@@ -54,5 +55,22 @@ def check_resolution(scenario: Scenario, modes: Modes, site: Site) -> list[str]:
         warnings.append(
             f"Trial {trial} is shaken at {frequency:g} Hz, but the highest of {modes.count} modes is at {highest:.1f} Hz: "
             f"about `numerics.modes` = {enough} would do."
+        )
+    return warnings
+
+
+def odd_sizes(scenario: Scenario, modes: Modes) -> list[str]:
+    """Warnings, one line each, of what is so large that it may be a slip of units: limits, and the lowest frequency."""
+    warnings, span, step = [], scenario.plant.span, scenario.numerics.step
+    low, high = (limit[0] for limit in scenario.limits(0))
+    for port, room in zip(scenario.plant.ports, (high - low) / 2, strict=True):
+        if port.kind == "force" and span < room < np.inf:
+            allowed = f"At {port.name} {room:g} m are allowed, more than the {span:g} m of the structure"
+            warnings.append(f"{allowed}: is the constraint in m?")
+    lowest = np.min(modes.omega[modes.omega > 0], initial=np.inf) / (2 * np.pi)
+    if 1 / (REFUSED * step) < lowest < np.inf:
+        warnings.append(
+            f"The lowest mode is at {lowest:.4g} Hz, {1 / (lowest * step):.2g} steps a period: are the plant's parameters in the "
+            f"units that `dampen list` gives? If so, `numerics.step` = {1 / (WANTED * lowest):.2g} would do."
         )
     return warnings

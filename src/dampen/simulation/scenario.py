@@ -12,7 +12,7 @@ import numpy as np
 from annotated_types import Ge, Gt, Le, Unit
 from typing_extensions import Doc
 
-from dampen.component import ArgumentError, Component, own_name, wrong
+from dampen.component import ArgumentError, Component, listed, own_name, wrong
 from dampen.controllers.base import Controller, SampledFeedback
 from dampen.controllers.none import NoControl
 from dampen.disturbances.base import Disturbance
@@ -22,7 +22,6 @@ from dampen.simulation.sampling import Sampling
 from dampen.simulation.task import Task
 from dampen.stage import Stage
 
-NonNegative = Annotated[float, Ge(0)]
 LARGEST_TRIAL = 4.0
 NAME = re.compile(r"\w[\w.-]{0,59}")
 
@@ -67,7 +66,12 @@ class Scenario(Component):
     output: Output = field(default_factory=Output)
     actuators: dict[str, tuple[Stage, ...]] = field(default_factory=dict)
     compensation: dict[str, tuple[Stage, ...]] = field(default_factory=dict)
-    bounds: dict[str, NonNegative] = field(default_factory=dict)
+    bounds: Annotated[
+        dict[str, float],
+        Ge(0),
+        Unit("N, N m, N/m"),
+        Doc("by port, and by `f` for the load along the structure: how large the disturbance is at most"),
+    ] = field(default_factory=dict)
     name: str = "unnamed"
     title: str = ""
     claims: Literal["he2017"] | None = None
@@ -136,9 +140,11 @@ class Scenario(Component):
                 "numerics.mode", f'be "sampled": {type(self.controller).__name__} acts through samples', self.numerics.mode
             )
         needs = self.controller.needs_bounds
-        for key in (*(["f"] if "f" in needs else ()), *(self.ports if "ports" in needs else ())):
-            if key not in self.bounds:
-                raise ArgumentError(f"Argument `bounds.{key}` must be given: the controller relies on it.")
+        units = {"f": "N/m", **{port.name: port.effort_unit for port in self.plant.ports}}
+        needed = [*(["f"] if "f" in needs else ()), *(self.ports if "ports" in needs else ())]
+        missing = [f"{key} in {units[key]}" for key in needed if key not in self.bounds]
+        if missing:
+            raise ArgumentError(f"Argument `bounds` must be given, {listed(missing)}: the controller relies on it.")
         if self.controller.barrier_shape == "none":
             return
         behind = [self.controller.has_barrier(port) for port in self.plant.ports]

@@ -4,22 +4,41 @@ from __future__ import annotations
 
 import re
 import sys
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
+from contextlib import contextmanager
 from pathlib import Path
 from typing import Any
 
 from dampen.arguments import ENGINE, FOLDER, NOTHING, PATH, PROGRESS, RANGES, SCENARIO, TEXT, TEXTS, count, takes
-from dampen.component import ArgumentError, plain_value
+from dampen.component import ArgumentError, is_number, plain_value, shown
 from dampen.simulation.scenario import Scenario
 from dampen.studies.definition import Definition, robust_of, sweep_of, tune_of, whole
 from dampen.studies.engines import Cluster, Cores, Engine
 from dampen.studies.study import Progress, Study, new_study, open_study
+from dampen.studies.variation import FORMS
 from dampen.toml import literal, to_toml
 
 Ranges = Mapping[str, str | Sequence[Any]] | Sequence[str]
+OPTION = re.compile(r"Option `--(?P<name>[\w-]+)(?: (?P<path>[^`]+))?`")
+
+
+@contextmanager
+def for_python(**others: str) -> Iterator[None]:
+    """Complaints about a command's options become complaints about a function's arguments; others: of other names."""
+    others = {"scheduler": "engine", **others}
+
+    def argument(option: re.Match[str]) -> str:
+        name = others.get(option["name"], option["name"].replace("-", "_"))
+        return f"Argument `{name}`" + (f", for `{option['path']}`," if option["path"] else "")
+
+    try:
+        yield
+    except ArgumentError as error:
+        raise ArgumentError([OPTION.sub(argument, line, count=1) for line in error.lines]) from None
 
 
 @takes(scenario=SCENARIO, vary=RANGES, folder=FOLDER, engine=ENGINE, progress=PROGRESS)
+@for_python()
 def sweep(
     scenario: Scenario,
     vary: Ranges,
@@ -37,7 +56,7 @@ def sweep(
 
     Raises ArgumentError for a path or range that is not one.
     """
-    return _run(sweep_of(scenario, _texts(vary), home_of(scenario)), folder, engine, progress)
+    return _run(sweep_of(scenario, _texts("vary", vary), home_of(scenario)), folder, engine, progress)
 
 
 @takes(
@@ -50,6 +69,7 @@ def sweep(
     samples=count(1),
     seed=count(),
 )
+@for_python()
 def robust(
     scenario: Scenario,
     uncertain: Ranges,
@@ -67,7 +87,9 @@ def robust(
     sampler:   "sobol" (scrambled, the design's base a power of two) or "latin".
     The rest as for `sweep`.
     """
-    return _run(robust_of(scenario, _texts(uncertain), samples, sampler, seed, home_of(scenario)), folder, engine, progress)
+    return _run(
+        robust_of(scenario, _texts("uncertain", uncertain), samples, sampler, seed, home_of(scenario)), folder, engine, progress
+    )
 
 
 @takes(
@@ -83,6 +105,7 @@ def robust(
     robust_samples=count(1),
     seed=count(),
 )
+@for_python(uncertain="robust_over")
 def tune(
     scenario: Scenario,
     search: Ranges,
@@ -106,9 +129,9 @@ def tune(
     The rest as for `sweep`.
     """
     names = (objective,) if isinstance(objective, str) else tuple(objective)
-    over = _texts(robust_over)
+    over = _texts("robust_over", robust_over)
     return _run(
-        tune_of(scenario, _texts(search), names, budget, population, seed, over, robust_samples, home_of(scenario)),
+        tune_of(scenario, _texts("search", search), names, budget, population, seed, over, robust_samples, home_of(scenario)),
         folder,
         engine,
         progress,
@@ -116,6 +139,7 @@ def tune(
 
 
 @takes(folder=PATH, engine=ENGINE, progress=PROGRESS)
+@for_python()
 def resume(folder: str | Path, *, engine: Engine | int | str | None = None, progress: Progress | None = None) -> Study:
     """Go on with a study from where it was left. Raises ArgumentError for a folder that holds none."""
     return open_study(folder).run(engine_of(engine), progress)
@@ -149,17 +173,24 @@ def engine_of(given: Engine | int | str | None) -> Engine | None:
     return given
 
 
-def _texts(ranges: Ranges) -> Sequence[str]:
+def _texts(argument: str, ranges: Ranges) -> Sequence[str]:
     if not isinstance(ranges, Mapping):
         return [ranges] if isinstance(ranges, str) else list(ranges)
-    return [f"{path}={_written(path, given)}" for path, given in ranges.items()]
+    return [f"{path}={_written(argument, path, given)}" for path, given in ranges.items()]
 
 
-def _written(path: str, given: Any) -> str:
+def _written(argument: str, path: str, given: Any) -> str:
     """A range as the command line has it."""
     if isinstance(given, str):
         return given
     values = plain_value(given)
-    if not isinstance(values, tuple) or not values:
-        raise ArgumentError(f"Argument `{path}` must have a range as text, or a list of values, but has {given!r}.")
-    return ",".join(literal(value) for value in values)
+    several = isinstance(values, tuple) and len(values) > 0
+    if argument == "vary" and several:
+        return ",".join(literal(value) for value in values)
+    if argument == "vary":
+        form = ", or a list of values"
+    elif several and len(values) == 2 and all(map(is_number, values)):
+        form = f' like "{values[0]:g}:{values[1]:g}"'
+    else:
+        form = f" like {FORMS['search' if argument == 'search' else 'uncertain']}"
+    raise ArgumentError(f"Argument `{argument}`, for `{path}`, must have a range as text{form}, but has {shown(given)}.")

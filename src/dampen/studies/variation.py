@@ -11,12 +11,11 @@ from typing import Any, Literal
 
 import numpy as np
 
-from dampen.component import ArgumentError, shown
+from dampen.component import NUMBER, ArgumentError, shown
 from dampen.simulation.scenario import Scenario
 from dampen.studies.lens import changed, get, is_whole
 
 Array = np.ndarray
-NUMBER = r"[-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?"
 SPREAD = re.compile(rf"(?P<centre>{NUMBER})?\s*(?:\+-|±)\s*(?P<spread>{NUMBER})(?P<percent>\s*%)?(?P<normal>:normal)?")
 TRUNCATED = 3.0  # standard deviations at which a normal distribution ends
 FORMS = {

@@ -77,6 +77,11 @@ class Limit:
         """
         return math.sqrt(max(0.0, *(point.dual - point.weight * effort**2 for point in self.points)))
 
+    @property
+    def cancelled(self) -> float:
+        """The effort [N] from which on no bound is left: as far as the points can tell, such forces may leave nothing."""
+        return math.sqrt(max(point.dual / point.weight for point in self.points))
+
     def reached(self, effort: float) -> float:
         """What some forces of at most this effort [N] do reach [unit]: mixtures of two neighbouring points' forces.
 

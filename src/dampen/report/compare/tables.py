@@ -77,8 +77,10 @@ def terminal_tables(found: Comparison) -> list[tuple[list[str], list[list[str]]]
 
 def how(c: Contender) -> str:
     """How its gains came about, and what there is to say of its run."""
-    words = f"tuned, {tries(c)}" if c.tuned else "as given" if c.gains or c.source != "kind" else GIVEN[c.kind == "none"]
-    if c.untuned:
+    words = "as given" if c.gains or c.source != "kind" else GIVEN[c.kind == "none"]
+    if c.tuned:
+        words = f"tuned from {BEGUN.get(c.source, 'its own gains')}, {tries(c)}"
+    elif c.untuned:
         words = f"as it is: {c.untuned}, so it was not tuned"
     extras = [*(["through samples"] if c.sampled else []), *([STATUS[c.status]] if c.status in STATUS else [])]
     extras += ["forces did not settle"] if c.merits["unsettled"] > 0 else []
@@ -103,6 +105,7 @@ def searches_range(found: Comparison, c: Contender) -> str:
     return f"{text}; {few}" if few else text
 
 
+BEGUN = {"scenario": "the scenario's gains", "kind": "mid-range gains"}
 GIVEN = {True: "none", False: "middle of its ranges"}
 STATUS = {"constraint_lost": "constraint lost", "diverged": "diverged"}
 
@@ -121,6 +124,8 @@ def about(found: Comparison) -> str:
         text += f"Finer: the same gains on a fresh set of {finer.modes} modes with a step of {1e3 * finer.step:g} ms. "
     if any(len(c.searches) > 1 for c in found.contenders):
         text += "Over searches: the objective of the best of each search; the best of these is the row. "
+    if any(c.tuned and c.source == "kind" for c in found.contenders):
+        text += "Mid-range gains: the middle of the ranges that a kind of controller says. "
     return f"{text}Tuned: by CMA-ES for the {found.objective}, {budget_words(found)}, the constraint kept."
 
 

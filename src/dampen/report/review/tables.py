@@ -11,7 +11,7 @@ from dampen.analysis.audit.finding import Finding
 from dampen.analysis.credit import Credit, Variant
 from dampen.analysis.limit.curve import Limit
 from dampen.report.review.words import HEADINGS
-from dampen.report.style import number, percent, quantity
+from dampen.report.style import DASH, number, percent, quantity
 from dampen.studies.record import Record
 
 Rows = Sequence[Sequence[str]]
@@ -78,11 +78,11 @@ LIMIT_COLUMNS = (
 
 def limit_rows(record: Record) -> list[tuple[str, ...]]:
     """Where a run lies against each limit."""
-    rows = []
+    rows: list[tuple[str, ...]] = []
     for limit, at in zip(record.limits, record.standings, strict=True):
-        ratio = "" if at.ratio is None else number(at.ratio)
-        values = [quantity(value, limit.unit) for value in (limit.uncontrolled, at.rms, at.bound)]
-        rows.append((limit.of, *values[:2], quantity(at.effort, "N"), values[2], ratio, lowest(limit)))
+        free, own = (quantity(value, limit.unit) for value in (limit.uncontrolled, at.rms))
+        least = ("no bound", DASH) if at.ratio is None else (quantity(at.bound, limit.unit), number(at.ratio))
+        rows.append((limit.of, free, own, quantity(at.effort, "N"), *least, lowest(limit)))
     return rows
 
 

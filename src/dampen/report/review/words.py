@@ -221,8 +221,11 @@ def _against(limit: Limit, at: Standing) -> str:
     own, least, reached = (quantity(value, at.unit) for value in (at.rms, at.bound, at.reached))
     text = f"{at.of}: the run's RMS is {own} at an effort of {quantity(at.effort, 'N')}. "
     text += "It lies BELOW the limit, which cannot be: do not trust this run. " if at.below else ""
-    text += f"No forces of that effort at the same ports get below {least}, whatever they know of the disturbance; some get to "
-    text += f"{reached}. "
+    if at.bound:
+        text += f"No forces of that effort at the same ports get below {least}, whatever they know of the disturbance; "
+    else:
+        text += f"From {quantity(limit.cancelled, 'N')} on the disturbance can be cancelled: there is no bound there; "
+    text += f"some {'get' if at.bound else 'forces of its effort get'} to {reached}. "
     text += f"The run is {number(at.ratio, 3)} times above the bound. " if at.ratio else ""
     nearest = min(limit.points, key=lambda point: abs(point.effort - at.effort))
     text += (

@@ -158,7 +158,8 @@ def _searched(study: Study, ran: int) -> str:
     if study.definition.kind == "sweep":
         return f"Of {ran:,} runs {held:,} {kept}; the {merit_words(name)} is best, {value}, at {where}."
     generations = int(study.table["generation"].max()) + 1
-    text = f"After {generations:,} generations the best {merit_words(name)} is {value}, at {where}"
+    after = f"{generations:,} {'generation' if generations == 1 else 'generations'}"
+    text = f"After {after} the best {merit_words(name)} is {value}, at {where}"
     objectives = study.definition.objectives
     if len(objectives) > 1:
         on = len(front(study, objectives))

@@ -8,8 +8,9 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from dampen.analysis.merits import merit_unit
 from dampen.report.facts import described
-from dampen.report.study.axes import is_log, value_text
+from dampen.report.study.axes import best_row, is_log, value_text
 from dampen.report.study.names import (
     axis_names,
     axis_unit,
@@ -20,6 +21,7 @@ from dampen.report.study.names import (
     plain_name,
 )
 from dampen.report.style import DASH, plain_number
+from dampen.simulation.scenario import Scenario
 from dampen.studies.rows import JUDGED, column, counts, statuses
 from dampen.studies.statistics import FRACTIONS, Robustness, main_merits
 from dampen.studies.study import Study
@@ -188,16 +190,27 @@ def message_table(study: Study) -> Grid | None:
 
 
 def summary(study: Study) -> tuple[list[str], list[list[str]]]:
-    """For the terminal: best, median and worst of the main merits among runs that did not diverge."""
+    """For the terminal: best, median and worst of each main merit among runs that did not diverge; of a tuning, before them,
+    what its winner has."""
     scenario, rows = study.definition.scenario, []
+    winner = best_row(study, chosen_merit(study)) if study.definition.kind == "tune" else None
     for name in main_merits(study):
-        y = column(study, name)
-        y = np.sort(y[np.isfinite(y) & (statuses(study) != "diverged")])
+        every = column(study, name)
+        y = np.sort(every[np.isfinite(every) & (statuses(study) != "diverged")])
         if len(y):
             at = y if is_low_better(name) else y[::-1]
-            values = [merit_value(name, float(v), scenario) for v in (at[0], np.median(y), at[-1])]
-            rows.append([merit_words(name), *(value.removesuffix(OF) for value in values)])
-    return ["Figure of merit", "Best", "Median", "Worst"], rows
+            shown = [*([] if winner is None else [every[winner]]), at[0], np.median(y), at[-1]]
+            values = [merit_value(name, float(v), scenario).removesuffix(OF) for v in shown]
+            rows.append([_as_objective(name, scenario), *values])
+    several = f" in {chosen_merit(study)}" if len(study.definition.objectives) > 1 else ""
+    return ["Figure of merit", *([] if winner is None else [f"Winner{several}"]), "Best", "Median", "Worst"], rows
+
+
+def _as_objective(name: str, scenario: Scenario) -> str:
+    """A merit in words, and in brackets its name as an objective, where that is another, and the units that it has in one."""
+    unit = merit_unit(name, scenario)
+    extras = [*([] if name == merit_words(name) else [name]), *([f"{unit} together"] if ", " in unit else [])]
+    return merit_words(name) + (f" ({'; '.join(extras)})" if extras else "")
 
 
 def command(study: Study) -> str:

@@ -14,7 +14,7 @@ from dampen.release import version
 from dampen.scenarios.results import load
 from dampen.simulation.bench import Bench
 from dampen.simulation.scenario import Scenario
-from dampen.studies.api import engine_of, home_of
+from dampen.studies.api import engine_of, for_python, home_of
 from dampen.studies.compare.comparison import Comparison, Contender, from_plain
 from dampen.studies.compare.entries import Entry, Given, entries_of
 from dampen.studies.compare.judge import Interrupted, judged
@@ -41,6 +41,7 @@ DEFINITION = "compare.toml"
     searches=count(1, 1000),
     seed=count(),
 )
+@for_python()
 def compare(
     scenario: Scenario,
     contenders: Sequence[Given] | None = None,
