@@ -20,7 +20,7 @@ def listing(kind: str | None = None) -> str:
     entries = [entry for entry in _entries() if kind is None or kind in entry[:2]]
     if kind and ":" in kind:
         table, cls = find_own_kind(kind, "kind")
-        entries = [(table, kind, cls)]
+        entries = [(table, kind, cls.summary(), _rows(cls))]
     if not entries:
         known = sorted({name for table, own, *_ in _entries() for name in (table, own) if name})
         raise ArgumentError(f"Argument `kind` must be a kind or a table, but is {kind!r}{suggestion(str(kind), known)}")
