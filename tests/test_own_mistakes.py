@@ -399,3 +399,8 @@ def test_wrong_shapes_are_told(part: str, cls: type[Any], name: str, value: Any,
     with pytest.raises(dampen.ArgumentError, match=f"mine:Mine.*{words}") as error:
         run()
     assert len(error.value.lines) == 1
+
+
+def test_a_contender_is_refused_with_the_question_that_ends_its_complaint(monkeypatch: pytest.MonkeyPatch) -> None:
+    with pytest.raises(dampen.ArgumentError, match=r"cannot be run here: .*; did you mean `gain`\?$"):
+        contender(monkeypatch, lambda self, setting: {"gian": "0:1"})

@@ -84,12 +84,12 @@ def of_kind(scenario: Scenario, given: str, bench: Bench) -> Entry:
     assert issubclass(kind, Controller)
     try:
         if issubclass(kind, OpenLoop):
-            raise ArgumentError("it has no commands: name a scenario that has")
+            raise ArgumentError("it has no commands: name a scenario that has.")
         start = from_kind(scenario, kind, bench)
     except ArgumentError as error:
         raise refused(given, error) from None
     if not start.search and kind is not NoControl and given in {cls.kind for cls in KINDS["controller"]}:
-        raise refused(given, ArgumentError("no port has an actuator that could move it"))
+        raise refused(given, ArgumentError("no port has an actuator that could move it."))
     return Entry(given.rpartition(":")[2], "kind", start, (given,))
 
 
@@ -138,7 +138,7 @@ def distinct(entries: Sequence[Entry]) -> list[Entry]:
 
 def refused(name: str, error: ArgumentError) -> ArgumentError:
     """The complaint that a contender cannot be run, with its first fault."""
-    return ArgumentError(f"Contender `{name}` cannot be run here: {error.lines[0].rstrip('.')}.")
+    return ArgumentError(f"Contender `{name}` cannot be run here: {error.lines[0]}")
 
 
 def reason(error: ArgumentError, name: str) -> str:

@@ -49,7 +49,7 @@ def from_kind(scenario: Scenario, kind: type[Controller], bench: Bench) -> Start
     """A controller of a kind, its gains in the middle of their ranges. Raises ArgumentError where it cannot be run."""
     missing = [p.name for p in parameters(kind) if p.required]
     if missing:
-        raise ArgumentError(f"it has no value for {', '.join(missing)}: name a scenario that has")
+        raise ArgumentError(f"it has no value for {', '.join(missing)}: name a scenario that has.")
     plain, notes = fitted(kind(), scenario)
     ranges = ranges_of(under(scenario, plain), bench)
     if not ranges:
