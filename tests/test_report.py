@@ -24,7 +24,7 @@ from dampen.report.facts import cost_row, facts, status_sentence
 from dampen.report.figures import VIEWS, file_names
 from dampen.report.limits import limits_of
 from dampen.report.plan import MOST, default_plan
-from dampen.report.style import CONSTRAINT, MINUS, REFERENCE
+from dampen.report.style import CONSTRAINT, MINUS, REFERENCE, TIMES
 from dampen.report.views.samples import liveliest
 from dampen.report.write import write_report
 from dampen.simulation.stores import FileStore
@@ -421,3 +421,12 @@ def test_there_is_no_continuous_run_of_a_law_that_needs_samples() -> None:
     assert not twin.sampled
     assert continuous_twin(replace(sampled, controller=dampen.LQG())) is None
     assert continuous_twin(twin) is None
+
+
+def test_a_limit_of_any_size_is_written_as_it_is() -> None:
+    task = dampen.Task(trials=1, trial_duration=0.1, constraint={"tip_w": [-3e-14, 2e-14]})
+    case = dampen.Scenario(dampen.String(), dampen.NoControl(), dampen.NoDisturbance(), task, numerics=dampen.Numerics(modes=2))
+    found = limits_of(case, "tip_w")
+    assert found is not None
+    np.testing.assert_allclose((found.low[0], found.high[0]), (-3e-14, 2e-14), rtol=1e-14)
+    assert found.words == f"the constraint of {MINUS}3 {TIMES} 10\u207b\u00b9\u2074 m to 2 {TIMES} 10\u207b\u00b9\u2074 m"
