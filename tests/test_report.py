@@ -429,4 +429,4 @@ def test_a_limit_of_any_size_is_written_as_it_is() -> None:
     found = limits_of(case, "tip_w")
     assert found is not None
     np.testing.assert_allclose((found.low[0], found.high[0]), (-3e-14, 2e-14), rtol=1e-14)
-    assert found.words == f"the constraint of {MINUS}3 {TIMES} 10\u207b\u00b9\u2074 m to 2 {TIMES} 10\u207b\u00b9\u2074 m"
+    assert found.words == f"the constraint of {MINUS}3.00 {TIMES} 10\u207b\u00b9\u2074 m to 2.00 {TIMES} 10\u207b\u00b9\u2074 m"
