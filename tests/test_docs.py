@@ -13,6 +13,7 @@ import typer
 
 import dampen
 from dampen.cli import app
+from dampen.report.glossary import WORDS
 from dampen.scenarios.schema import schema
 
 DOCS = Path(__file__).parents[1] / "docs"
@@ -139,3 +140,9 @@ def test_blocks_find_what_earlier_ones_left_and_faults_are_warnings(tmp_path: Pa
     assert "task.trails" in warnings[0]
     assert "based_on" in (tmp_path / "out" / "index.html").read_text()
     assert str(tmp_path.parent) not in (tmp_path / "out" / "index.html").read_text()
+
+
+def test_the_page_of_words_says_what_reports_say() -> None:
+    page, bar = (DOCS / "how-to" / "numbers.md").read_text(encoding="utf-8"), chr(92) + "|"
+    for word, meaning in WORDS.items():
+        assert f"| {word} | {meaning.replace('|', bar)} |" in page, word

@@ -249,6 +249,13 @@ def test_a_study_folder_is_one_study_s_own(short: dampen.Scenario, tmp_path: Pat
         open_study(tmp_path / "a")
 
 
+def test_rows_are_read_by_anything_that_reads_parquet(short: dampen.Scenario, tmp_path: Path) -> None:
+    study = dampen.sweep(short, {"controller.alpha_4": [1.0, 2.0]}, folder=tmp_path / "study", engine=Here())
+    table = pandas.read_parquet(tmp_path / "study" / "rows").set_index("member").sort_index()
+    assert table["controller.alpha_4"].tolist() == [1.0, 2.0]
+    np.testing.assert_array_equal(table["residual"], study.table["residual"])
+
+
 def test_a_definition_written_down_reads_back_the_same(short: dampen.Scenario, tmp_path: Path) -> None:
     over = ["plant.tip_mass=+-30%"]
     definitions = {

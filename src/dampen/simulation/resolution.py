@@ -60,7 +60,7 @@ def check_resolution(scenario: Scenario, modes: Modes, site: Site) -> list[str]:
 
 
 def odd_sizes(scenario: Scenario, modes: Modes) -> list[str]:
-    """Warnings, one line each, of what is so large that it may be a slip of units: limits, and the lowest frequency."""
+    """Warnings, one line each, of what may be a slip of units: limits, a lowest frequency far too high or low, damping."""
     warnings, span, step = [], scenario.plant.span, scenario.numerics.step
     low, high = (limit[0] for limit in scenario.limits(0))
     for port, room in zip(scenario.plant.ports, (high - low) / 2, strict=True):
@@ -72,5 +72,17 @@ def odd_sizes(scenario: Scenario, modes: Modes) -> list[str]:
         warnings.append(
             f"The lowest mode is at {lowest:.4g} Hz, {1 / (lowest * step):.2g} steps a period: are the plant's parameters in the "
             f"units that `dampen list` gives? If so, `numerics.step` = {1 / (WANTED * lowest):.2g} would do."
+        )
+    whole = scenario.task.trials * scenario.task.trial_duration
+    if lowest * whole < 1:
+        warnings.append(
+            f"The lowest mode is at {lowest:.2g} Hz and does not swing once in the {whole:g} s of the run: are the plant's parameters "
+            "in the units that `dampen list` gives?"
+        )
+    swinging = modes.omega > 0
+    if swinging.any() and np.all(modes.decay[swinging] >= modes.omega[swinging]):
+        ratio = float(np.min(modes.decay[swinging] / modes.omega[swinging]))
+        warnings.append(
+            f"No mode swings: each is damped by {ratio:.3g} times the critical damping or more. A damping ratio of 4 % is 0.04."
         )
     return warnings

@@ -95,7 +95,7 @@ class Study:
     def discard(self) -> None:
         """Take the study's folder away again, if no row was ever written."""
         if self.folder is not None and not self.done:
-            for name in ("study.toml", "scenario.toml", "rows/lock"):
+            for name in ("study.toml", "scenario.toml", "rows/.lock"):
                 (self.folder / name).unlink(missing_ok=True)
             for folder in (self.folder / "rows", self.folder):
                 if folder.exists() and not any(folder.iterdir()):
@@ -140,7 +140,7 @@ def running_alone(folder: Path | None) -> Iterator[None]:
     """Keep other processes from running the study of a folder."""
     if folder is not None:
         (folder / "rows").mkdir(exist_ok=True)
-    with alone(folder and folder / "rows" / "lock", f"Study folder `{folder}` is being run by another process."):
+    with alone(folder and folder / "rows" / ".lock", f"Study folder `{folder}` is being run by another process."):
         yield
 
 
