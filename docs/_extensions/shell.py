@@ -30,7 +30,7 @@ from sphinx.util.docutils import SphinxDirective
 
 LOG = logging.getLogger(__name__)
 LIMIT = 300  # s
-WIDTH = 92  # characters that a page shows without being pushed aside
+WIDTH = 86  # characters that a page shows without being pushed aside
 
 
 def part(text: str, lines: str) -> str:
