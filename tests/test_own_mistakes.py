@@ -404,3 +404,44 @@ def test_wrong_shapes_are_told(part: str, cls: type[Any], name: str, value: Any,
 def test_a_contender_is_refused_with_the_question_that_ends_its_complaint(monkeypatch: pytest.MonkeyPatch) -> None:
     with pytest.raises(dampen.ArgumentError, match=r"cannot be run here: .*; did you mean `gain`\?$"):
         contender(monkeypatch, lambda self, setting: {"gian": "0:1"})
+
+
+KINDS_MISNAMED = {
+    "{}.Law": "must be a known kind of controller, but is '{0}.Law'; did you mean `{0}:Law`, with a colon?",
+    "{}.py:Law": "must name a module without .py, '{0}:Law', but is '{0}.py:Law'.",
+    "{}:Lawn": "AttributeError: module '{0}' has no attribute 'Lawn' (did you mean `Law`?).",
+}
+
+
+@pytest.mark.parametrize("kind", KINDS_MISNAMED)
+def test_the_name_of_an_own_kind_that_slipped(kind: str, module: Any, tmp_path: Path) -> None:
+    name = module(OWN_LAW)
+    (tmp_path / "mine.toml").write_text(f'based_on = "he2017"\n[controller]\nkind = "{kind.format(name)}"\n')
+    with pytest.raises(dampen.ArgumentError) as error:
+        dampen.read_scenario(tmp_path / "mine.toml")
+    (line,) = error.value.lines
+    assert line.endswith(KINDS_MISNAMED[kind].format(name))
+
+
+def test_a_method_for_a_property_is_told_at_its_class(module: Any, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    name = module(OWN_LAW + "    def relies_on(self):\n        return ()\n")
+    monkeypatch.chdir(tmp_path)
+    line = OWN_LAW.splitlines().index("@dataclass(frozen=True)") + 5
+    with pytest.raises(dampen.ArgumentError, match=rf"write @property above it \({name}.py, line {line + 1}\)\.$"):
+        listing(f"{name}:Law")
+
+
+@pytest.mark.parametrize(
+    ("read", "told"),
+    [
+        (lambda trial, setting: trial.e, "no attribute 'e' (known here: command, error, index, v) ("),
+        (lambda trial, setting: trial.comand, "no attribute 'comand' (did you mean `command`?) ("),
+        (lambda trial, setting: setting.step, "no attribute 'step' (did you mean `steps`?) ("),
+        (lambda trial, setting: trial.v.shap, "no attribute 'shap' (did you mean `shape`?) ("),
+    ],
+)
+def test_an_attribute_that_is_not_there_is_told_with_those_that_are(read: Any, told: str) -> None:
+    case = dampen.read_scenario("he2017", FEW)
+    mine = own_class(dampen.Controller, learn=lambda self, memory, trial, setting: read(trial, setting))
+    with pytest.raises(dampen.ArgumentError, match=re.escape(told)):
+        mine.learn({}, dampen.Trial(0, *(np.zeros((2, 2)),) * 3), setting_of(case))
