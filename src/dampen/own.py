@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import importlib
 import os
+import re
 import sys
 import sysconfig
 import traceback
@@ -17,6 +18,7 @@ from dampen.component import ArgumentError, near, own_name, shown, suggestion, w
 HERE = str(Path(__file__).parent)
 INSTALLED = tuple({sysconfig.get_path(name) for name in ("stdlib", "platstdlib", "purelib", "platlib")})
 NO_PLACES = (HERE, "importlib", "<frozen ")
+ROWS = re.compile(r"shapes \((\d{3,})\b.*\((\d{3,})\b")  # of arrays that NumPy cannot take together: as long as trials
 NOT_FROZEN = "cannot inherit non-frozen dataclass from a frozen one"  # as Python has it
 
 
@@ -75,6 +77,8 @@ def complaint(error: BaseException, function: Callable[..., Any] | None = None) 
         text = str(error).rstrip(".")
     elif isinstance(error, AttributeError) and error.name and error.obj is not None:
         text += known_of(error.obj, error.name)
+    elif (rows := ROWS.search(text)) and abs(int(rows[1]) - int(rows[2])) == 1:
+        text = f"{text.strip()} (what is known at all grid times, such as `trial.error`, has steps + 1 rows)"
     frames = [f for f in traceback.extract_tb(error.__traceback__) if not any(part in f.filename for part in NO_PLACES)]
     theirs = [f for f in frames if not f.filename.startswith((*INSTALLED, "<string>"))]
     places = [(f.filename, f.lineno) for f in theirs or frames]
