@@ -91,7 +91,7 @@ def is_spaced(words: Sequence[str]) -> bool:
 
 def as_setting(error: Any, words: Sequence[str]) -> str:
     """A hint for an option that is not there, where a command that takes settings was to set a parameter of a scenario."""
-    option, command = getattr(error, "option_name", ""), getattr(error.ctx, "command", None)
+    option, command = getattr(error, "option_name", ""), getattr(getattr(error, "ctx", None), "command", None)
     at = next((i for i, word in enumerate(words) if option and word.partition("=")[0] == option), None)
     if at is None or not any("--set" in parameter.opts for parameter in getattr(command, "params", ())):
         return ""

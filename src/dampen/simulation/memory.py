@@ -62,7 +62,8 @@ def never_learned(controller: Controller, memory: Mapping[str, object]) -> list[
 def lacking(controller: Controller, name: str) -> str:
     """What to say of a method that the user's class does not define: perhaps it is there under another name."""
     members = {key: value for cls in type(controller).__mro__ if own(cls) for key, value in vars(cls).items()}
-    methods = [f"`{key}`" for key, value in members.items() if isinstance(value, FunctionType) and not hasattr(Controller, key)]
+    others = [key for key, value in members.items() if isinstance(value, FunctionType) and not hasattr(Controller, key)]
+    methods = [f"`{key}`" for key in others if not key.startswith("_")]
     return f"defines no `{name}`{f', only {listed(methods)}' if methods else ''}"
 
 
