@@ -15,6 +15,8 @@ import pytest
 from annotated_types import Ge
 
 import dampen
+from dampen.analysis.rates import rates
+from dampen.controllers.base import SampledLoop
 from dampen.family import Family, _declared
 from dampen.listing import listing
 from dampen.report.compare.tables import how
@@ -109,6 +111,7 @@ RETURNS: list[tuple[type[Any], str, Any, str]] = [
     (dampen.Controller, "search", {"a": (0, 1)}, r"a dict of texts, but returns {'a': \(0, 1\)}"),
     (dampen.Controller, "notes", "a note", "a list of texts, but returns 'a note'"),
     (dampen.Controller, "sampled_loop", np.eye(2), r"a SampledLoop or None, but returns an array of shape \(2, 2\)"),
+    (dampen.Controller, "sampled_loop", SampledLoop("none", 1), r"a SampledLoop or None, but returns \['none', 1, 0\]"),  # type: ignore[arg-type]
     (dampen.Controller, "design_time", "long", "a number, but returns 'long'"),
     (dampen.Disturbance, "same_as", 0.5, "a whole number, but returns 0.5"),
     (dampen.Disturbance, "at_ports", {"tip": 1}, "an array or None, but returns {'tip': 1}"),
@@ -223,6 +226,38 @@ class Wide(Learner):
 
     def begin(self, setting: Any) -> Any:
         return {"u": np.zeros(setting.steps)}
+
+
+@dataclass(frozen=True)
+class Starting(dampen.Controller):
+    """Has its `begin` under another name."""
+
+    def law(self, memory: Any, setting: Any) -> Any:
+        return dampen.PortLaw(memory["u"])
+
+    def start(self, setting: Any) -> Any:
+        return {"u": np.zeros((setting.steps, len(setting.ports)))}
+
+
+@dataclass(frozen=True)
+class Rowed(Learner):
+    """Takes the error at all grid times for that of the steps."""
+
+    def learn(self, memory: Any, trial: Any, setting: Any) -> Any:
+        return {"u": memory["u"] - trial.error}
+
+
+@pytest.mark.parametrize(
+    ("law", "words"),
+    [
+        (Starting, r"Starting.law failed: KeyError: 'u' \(.*\): it defines no `begin`, only `start`\.$"),
+        (Rowed, r"shapes \(200,2\) \(201,2\) \(what is known at all grid times, such as `trial.error`, has steps \+ 1 rows\) \("),
+    ],
+)
+def test_what_a_law_of_the_users_lacks_is_said(law: type[dampen.Controller], words: str) -> None:
+    with pytest.raises(dampen.ArgumentError, match=words) as error:
+        dampen.simulate(scenario_under(law()))
+    assert len(error.value.lines) == 1
 
 
 def test_what_is_learned_must_be_finite() -> None:
@@ -404,3 +439,89 @@ def test_wrong_shapes_are_told(part: str, cls: type[Any], name: str, value: Any,
 def test_a_contender_is_refused_with_the_question_that_ends_its_complaint(monkeypatch: pytest.MonkeyPatch) -> None:
     with pytest.raises(dampen.ArgumentError, match=r"cannot be run here: .*; did you mean `gain`\?$"):
         contender(monkeypatch, lambda self, setting: {"gian": "0:1"})
+
+
+KINDS_MISNAMED = {
+    "{}.Law": "must be a known kind of controller, but is '{0}.Law'; did you mean `{0}:Law`, with a colon?",
+    "{}.py:Law": "must name a module without .py, '{0}:Law', but is '{0}.py:Law'.",
+    "{}:Lawn": "AttributeError: module '{0}' has no attribute 'Lawn' (did you mean `Law`?).",
+}
+
+
+@pytest.mark.parametrize("kind", KINDS_MISNAMED)
+def test_the_name_of_an_own_kind_that_slipped(kind: str, module: Any, tmp_path: Path) -> None:
+    name = module(OWN_LAW)
+    (tmp_path / "mine.toml").write_text(f'based_on = "he2017"\n[controller]\nkind = "{kind.format(name)}"\n')
+    with pytest.raises(dampen.ArgumentError) as error:
+        dampen.read_scenario(tmp_path / "mine.toml")
+    (line,) = error.value.lines
+    assert line.endswith(KINDS_MISNAMED[kind].format(name))
+
+
+def test_a_method_for_a_property_is_told_at_its_class(module: Any, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    name = module(OWN_LAW + "    def relies_on(self):\n        return ()\n")
+    monkeypatch.chdir(tmp_path)
+    line = OWN_LAW.splitlines().index("@dataclass(frozen=True)") + 5
+    with pytest.raises(dampen.ArgumentError, match=rf"write @property above it \({name}.py, line {line + 1}\)\.$"):
+        listing(f"{name}:Law")
+
+
+@pytest.mark.parametrize(
+    ("read", "told"),
+    [
+        (lambda trial, setting: trial.e, "no attribute 'e' (known here: command, error, index, v) ("),
+        (lambda trial, setting: trial.comand, "no attribute 'comand' (did you mean `command`?) ("),
+        (lambda trial, setting: setting.step, "no attribute 'step' (did you mean `steps`?) ("),
+        (lambda trial, setting: trial.v.shap, "no attribute 'shap' (did you mean `shape`?) ("),
+    ],
+)
+def test_an_attribute_that_is_not_there_is_told_with_those_that_are(read: Any, told: str) -> None:
+    case = dampen.read_scenario("he2017", FEW)
+    mine = own_class(dampen.Controller, learn=lambda self, memory, trial, setting: read(trial, setting))
+    with pytest.raises(dampen.ArgumentError, match=re.escape(told)):
+        mine.learn({}, dampen.Trial(0, *(np.zeros((2, 2)),) * 3), setting_of(case))
+
+
+@pytest.mark.parametrize("shape", ["foo", None, 3])
+@pytest.mark.parametrize("as_field", [True, False])
+def test_a_plain_value_for_a_property_is_checked(shape: Any, as_field: bool) -> None:
+    hints = {"__annotations__": {"barrier_shape": Any}} if as_field else {}
+    members = {"__module__": __name__, "barrier_shape": shape, **hints}
+    mine = dataclass(frozen=True)(type("Mine", (dampen.NoControl,), members))
+    with pytest.raises(dampen.ArgumentError, match=rf'barrier_shape must be "log", "tan" or "none", but is {shape!r}\.$'):
+        mine()
+
+
+@dataclass(frozen=True)
+class Sampled(dampen.SampledFeedback):
+    """A law of samples that does nothing, with a row and a loop that are put in."""
+
+    loop: tuple[int, ...] = (24, 24)
+    shape: tuple[int, ...] = (1,)
+
+    def row(self, setting: Any) -> Any:
+        return np.zeros(self.shape)
+
+    def sampled_loop(self, setting: Any) -> Any:
+        return SampledLoop(np.zeros(self.loop), 1)
+
+    @staticmethod
+    def step(sample: Any, state: Any, row: Any, command: Any) -> None:
+        command[0] = row[0]
+
+
+SAMPLED = ["numerics.mode=sampled", "sampling.period=0.01"]
+
+
+@pytest.mark.parametrize("shape", [(2, 2, 2), (3, 3), (16, 17), ()])
+def test_a_loop_of_another_shape_is_told(shape: tuple[int, ...]) -> None:
+    with pytest.raises(
+        dampen.ArgumentError, match=r"Sampled.sampled_loop must give a finite square matrix of at least 16 rows"
+    ) as e:
+        rates(scenario_under(Sampled(loop=shape), settings=[*FEW, *SAMPLED]))
+    assert str(e.value).endswith(f"but gives one of shape {shape}.")
+
+
+def test_a_row_must_be_one() -> None:
+    with pytest.raises(dampen.ArgumentError, match=r"Sampled.row must give a row of numbers, but gives .* \(2, 2, 2\)\.$"):
+        dampen.simulate(scenario_under(Sampled(shape=(2, 2, 2)), settings=[*FEW, *SAMPLED]))

@@ -10,6 +10,7 @@ import pytest
 import dampen
 from dampen.cli.run import perform
 from dampen.cli.terminal import show_table
+from dampen.component import suggestion
 from dampen.listing import listing
 from dampen.scenarios.read import parse
 from dampen.simulation.bench import Bench
@@ -63,6 +64,8 @@ TEXTS = {
     "tip_mass = 150 g": "`tip_mass = 150 g`; numbers stand without their unit.",
     "[disturbance.terms]\n[disturbance.terms]\nx = 2": "`[disturbance.terms]`; each of a list of tables is written "
     "`[[disturbance.terms]]`.",
+    "[actuator.all.chain]\n[actuator.all.chain]": "; each of a list of tables is written `[[actuator.all.chain]]`.",
+    "[task]\ntrials = 2\n[task]\nstart = 1": ", `[task]`; merge the two `[task]` tables.",
     "[task\ntrials = 2": ", `[task`.",
     "a = 1\nb = '": ", `b = '`.",
     "x = " + "a" * 2000 + " !": f", `x = {'a' * 53}...`.",
@@ -91,6 +94,14 @@ def test_a_file_that_is_not_there_may_be_one_beside_it(text: str, named: str, wo
     with pytest.raises(dampen.ArgumentError) as error:
         dampen.read_scenario(tmp_path / named)
     assert error.value.lines[0].endswith(words)
+
+
+@pytest.mark.parametrize("name", ["boom", "he2018"])
+def test_a_file_named_without_its_ending(name: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.chdir(tmp_path)
+    Path(f"{name}.toml").touch()
+    with pytest.raises(dampen.ArgumentError, match=rf"^Scenario `{name}` is neither .*; did you mean `{name}\.toml`\?$"):
+        dampen.read_scenario(name)
 
 
 def test_bounds_that_are_missing_are_told_together_with_their_units() -> None:
@@ -189,3 +200,45 @@ def test_a_table_keeps_brackets_and_whole_words_and_goes_on_below(
     assert max(map(len, printed.splitlines())) <= width
     if width > 12:
         assert all(word in printed for word in ("[m]", "[rad]", "[red]0.1[/red]", "constraint", "boundary-damping"))
+
+
+@pytest.mark.parametrize(
+    ("word", "known", "meant"),
+    [
+        ("noise", ["none", "band-noise"], "band-noise"),
+        ("noises", ["none", "noise"], "noise"),
+        ("tip_w_forse", ["tip_w", "tip_w_force"], "tip_w_force"),
+        ("ilc", ["p-type-ilc", "impulse"], ""),
+    ],
+)
+def test_a_word_that_is_part_of_a_known_one_is_meant(word: str, known: list[str], meant: str) -> None:
+    assert suggestion(word, known) == (f"; did you mean `{meant}`?" if meant else f"; known here: {', '.join(known)}.")
+
+
+DAMPED = ("controller.kind=boundary-damping", "controller.damping.tip_w=1.0")
+ELSEWHERE: dict[str, Callable[[dampen.Scenario], object]] = {
+    "search": lambda case: dampen.tune(case, {"damping.tip_w": "0.1:10"}),
+    "vary": lambda case: dampen.sweep(case, {"damping.tip_w": [1.0, 2.0]}),
+    "uncertain": lambda case: dampen.robust(case, {"damping.tip_w": "+-30%"}),
+    "set": lambda case: scenario(*DAMPED, "damping.tip_w=1"),
+}
+
+
+@pytest.mark.parametrize("option", ELSEWHERE)
+def test_a_parameter_without_its_table_is_told_with_it(option: str) -> None:
+    with pytest.raises(dampen.ArgumentError, match=r"is not known; did you mean `controller\.damping\.tip_w`\?$"):
+        ELSEWHERE[option](scenario(*DAMPED))
+
+
+@pytest.mark.parametrize(
+    ("words", "hint"),
+    [
+        (("--modes", "20"), "--modes; did you mean --set numerics.modes=20?"),
+        (("--tip-mass=0.2",), "--tip-mass; did you mean --set plant.tip_mass=0.2?"),
+        (("--modes",), "--modes; did you mean --set numerics.modes=VALUE?"),
+        (("--nonsense",), "--nonsense"),
+    ],
+)
+def test_an_option_that_is_a_key_of_the_scenario(words: tuple[str, ...], hint: str, tmp_path: Path) -> None:
+    done = dampen_command("run", "he2017", *words, cwd=tmp_path)
+    assert (done.returncode, done.stderr) == (2, f"No such option: {hint}\n")

@@ -28,6 +28,7 @@ if TYPE_CHECKING:
     from pydantic import BaseModel
 
 LONGEST_LINE = 1000
+LEAST_KIN = 4  # letters of a word that means something as a part of another one
 LEAST, MOST = 1e-50, 1e50  # sizes of numbers: beyond, squares and fourth powers of them leave what a double can hold
 _BOUNDS = ((Gt, "gt", ">"), (Ge, "ge", ">="), (Lt, "lt", "<"), (Le, "le", "<="))
 _TYPES = {
@@ -110,16 +111,36 @@ def cut(text: str, width: int = 60) -> str:
     return text if len(text) <= width else text[: width - 3] + "..."
 
 
-def near(word: str, known: Iterable[str]) -> str:
+def near(word: str, known: Iterable[str], cutoff: float = 0.6) -> str:
     """'; did you mean `x`?' when some known word is near, "" when none is."""
-    found = difflib.get_close_matches(word, list(known), n=1, cutoff=0.6)
+    found = difflib.get_close_matches(word, list(known), n=1, cutoff=cutoff)
     return f"; did you mean `{found[0]}`?" if found else ""
 
 
 def suggestion(word: str, known: Iterable[str]) -> str:
-    """'; did you mean `x`?' when some known word is near, the list of known words when none is."""
+    """'; did you mean `x`?' when some known word is near, or one is a part of the other; all known words when none is."""
     known = list(known)
-    return near(word, known) or f"; known here: {', '.join(known)}."
+    kin = [other for other in known if min(len(word), len(other)) >= LEAST_KIN and (word in other or other in word)]
+    return near(word, known, 0.8) or near(word, kin, 0.0) or near(word, known) or f"; known here: {', '.join(known)}."
+
+
+def placed(path: str, tables: Iterable[tuple[str, type]], shape: str = "`{}`") -> str:
+    """'; did you mean `table.path`?' for the first of some tables that has a parameter at that path, "" when none has.
+
+    shape: how the path is to be shown.
+    """
+    found = next((name for name, cls in tables if _leads(cls, path.split("."))), "")
+    return f"; did you mean {shape.format(f'{found}.{path}')}?" if found else ""
+
+
+def _leads(cls: Any, keys: Sequence[str]) -> bool:
+    """Whether keys lead to a parameter of a class, or into a table that is one."""
+    if not keys or get_origin(cls) is dict:
+        return len(keys) < 2
+    if isinstance(cls, UnionType):
+        return any(_leads(option, keys) for option in get_args(cls))
+    known = dataclasses.is_dataclass(cls) and keys[0] in (f.name for f in fields(cls))
+    return known and _leads(split_hint(hints_of(cls)[keys[0]])[0], keys[1:])
 
 
 def listed(words: Sequence[str]) -> str:

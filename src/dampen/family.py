@@ -4,13 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
 from functools import cache, cached_property, wraps
+from inspect import getattr_static
 from numbers import Integral, Real
 from types import FunctionType, NoneType, UnionType
 from typing import Any, Literal, Union, get_args, get_origin
 
 import numpy as np
 
-from dampen.component import ArgumentError, Component, own_name, shown
+from dampen.component import ArgumentError, Component, hints_of, own_name, shown
 from dampen.own import blame, own
 
 Hook = Callable[..., Any]
@@ -31,7 +32,14 @@ class Family(Component):
                 if own(owner) and (owner is cls or not issubclass(owner, Family)):
                     setattr(cls, name, _watched(cls, name, vars(owner)[name], declared))
 
+    def __post_init__(self) -> None:
+        super().__post_init__()
+        for name, declared in _declared(type(self)).items() if own(type(self)) else ():
+            if isinstance(declared, property) and not hasattr(getattr_static(type(self), name), "__get__"):
+                _check(f"{own_name(type(self))}.{name}", getattr(self, name), declared.fget, "be", "is")
 
+
+@cache
 def _declared(cls: type) -> Mapping[str, Hook | property]:
     """By name, the methods and properties of a class as its family first declares them."""
     found: dict[str, Hook | property] = {}
@@ -67,13 +75,18 @@ def _called(name: str, method: Hook, declared: Hook | None) -> Hook:
     def called(self: object, *args: Any, **kwargs: Any) -> Any:
         with blame(self, name, method):
             value = method(self, *args, **kwargs)
-        hint = _returned(declared)
-        if not fits(value, hint):
-            found = f"an array of shape {value.shape}" if isinstance(value, np.ndarray) else shown(value)
-            raise ArgumentError(f"{own_name(type(self))}.{name} must return {words(hint)}, but returns {found}.")
+        _check(f"{own_name(type(self))}.{name}", value, declared, "return", "returns")
         return value
 
     return called
+
+
+def _check(whose: str, value: object, declared: Hook | None, must: str, does: str) -> None:
+    """Raise ArgumentError for a value that is not of the type which its family declares."""
+    hint = _returned(declared)
+    if not fits(value, hint):
+        found = f"an array of shape {value.shape}" if isinstance(value, np.ndarray) else shown(value)
+        raise ArgumentError(f"{whose} must {must} {words(hint)}, but {does} {found}.")
 
 
 @cache
@@ -101,6 +114,8 @@ def fits(value: object, hint: Any) -> bool:
         return _is_array(value)
     if hint in (float, int):
         return isinstance(value, Real if hint is float else Integral) and not isinstance(value, bool)
+    if isinstance(hint, type) and issubclass(hint, tuple) and hint is not tuple:  # a NamedTuple
+        return isinstance(value, hint) and all(map(fits, value, hints_of(hint).values()))
     kinds = {bool: (bool, np.bool_)}.get(hint, hint)
     return hint is Any or not isinstance(kinds, type | tuple) or isinstance(value, kinds)
 

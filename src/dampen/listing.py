@@ -6,6 +6,7 @@ from collections.abc import Iterator
 from dataclasses import fields, replace
 
 from dampen.component import ArgumentError, Component, Parameter, hints_of, parameters, split_hint, suggestion
+from dampen.own import with_colon
 from dampen.scenarios.kinds import KINDS, find_own_kind
 from dampen.scenarios.read import TABLES, shipped, table_of
 from dampen.simulation.scenario import Scenario
@@ -23,7 +24,8 @@ def listing(kind: str | None = None) -> str:
         entries = [(table, kind, cls.summary(), _rows(cls))]
     if not entries:
         known = sorted({name for table, own, *_ in _entries() for name in (table, own) if name})
-        raise ArgumentError(f"Argument `kind` must be a kind or a table, but is {kind!r}{suggestion(str(kind), known)}")
+        hint = with_colon(str(kind)) or suggestion(str(kind), known)
+        raise ArgumentError(f"Argument `kind` must be a kind or a table, but is {kind!r}{hint}")
     lines = [] if kind else ["Scenarios (dampen run NAME, dampen show NAME)", *_scenarios()]
     for table, own, summary, rows in entries:
         name = f'[{table}] kind = "{own}"' if own else f"[{table}]"

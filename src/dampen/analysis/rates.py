@@ -12,7 +12,8 @@ from dampen.analysis.loops import Eigenvalues, closed_loop, eigenvalues, of_plan
 from dampen.analysis.rate_notes import evidence, law_notes, payload_note, payloads, stage_notes
 from dampen.analysis.sampled_ports import sampled_port_loop
 from dampen.arguments import BENCH, SCENARIO, takes
-from dampen.controllers.base import PortLaw, SampledFeedback, Setting
+from dampen.component import ArgumentError, own_name
+from dampen.controllers.base import Controller, PortLaw, SampledFeedback, Setting
 from dampen.modal import ModalModel
 from dampen.simulation.bench import Bench
 from dampen.simulation.compose import BARRIERS
@@ -124,6 +125,7 @@ def rates(scenario: Scenario, bench: Bench | None = None) -> Rates | NoRates:
         lagging = [port for port, times in zip(scenario.ports, setting.lags, strict=True) if times]
         if sampled.lags != lags:
             return NoRates(f"The loop that the law tells leaves out the actuator's lag at {', '.join(lagging)}.")
+        check_loop(controller, sampled.matrix, 2 * len(plant) + lags)
         found = eigenvalues(sampled.matrix, plant, setting.dt, lags)
         return table(found, plant, "sampled", sampled.known, stage_notes(scenario, setting, list(setting.gains > 0)))
     if isinstance(controller, SampledFeedback):
@@ -137,6 +139,14 @@ def rates(scenario: Scenario, bench: Bench | None = None) -> Rates | NoRates:
             "loop stands for it."
         )
     return _by_ports(scenario, bench, setting, law, plant)
+
+
+def check_loop(controller: Controller, matrix: Array, least: int) -> None:
+    """Raise ArgumentError unless a law's own loop is a square matrix of numbers around all modes and lags."""
+    shape = np.shape(matrix)
+    if len(shape) != 2 or shape[0] != shape[1] or shape[0] < least or not np.all(np.isfinite(matrix)):
+        must = f"give a finite square matrix of at least {least} rows, for all modes and lags"
+        raise ArgumentError(f"{own_name(controller)}.sampled_loop must {must}, but gives one of shape {shape}.")
 
 
 def _by_ports(scenario: Scenario, bench: Bench, setting: Setting, law: PortLaw, plant: Array) -> Rates:

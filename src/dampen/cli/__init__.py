@@ -7,13 +7,13 @@ import gc
 import os
 import sys
 from collections.abc import Sequence
-from typing import Annotated
+from typing import Annotated, Any
 
 import typer
 
 from dampen.cli import bundle, compare, export, lab, review, run, sil, studies
 from dampen.cli.terminal import BROKE_OFF, COMPLETED, ScenarioArgument, WithListing, WithOverview, complain, err, out
-from dampen.component import ArgumentError
+from dampen.component import ArgumentError, placed
 
 KIND_HELP = 'a kind, such as backlash or "module:Class" of your own, or a table, such as plant; left out: all'
 TYPER_INTERRUPTED = 130  # what typer makes of a KeyboardInterrupt that no command has caught
@@ -89,6 +89,18 @@ def is_spaced(words: Sequence[str]) -> bool:
     return any(word.startswith("=") or word.endswith("=") for word in words)
 
 
+def as_setting(error: Any, words: Sequence[str]) -> str:
+    """A hint for an option that is not there, where a command that takes settings was to set a parameter of a scenario."""
+    option, command = getattr(error, "option_name", ""), getattr(getattr(error, "ctx", None), "command", None)
+    at = next((i for i, word in enumerate(words) if option and word.partition("=")[0] == option), None)
+    if at is None or not any("--set" in parameter.opts for parameter in getattr(command, "params", ())):
+        return ""
+    from dampen.scenarios.read import every_table
+
+    value = words[at].partition("=")[2] or next(iter(words[at + 1 :]), "VALUE")
+    return placed(option.lstrip("-").replace("-", "_"), every_table(), f"--set {{}}={value}")
+
+
 def main() -> None:
     """Entry point: bad input is one clear line and exit status 2."""
     in_utf8()
@@ -112,7 +124,8 @@ def main() -> None:
     except Exception as error:
         if not hasattr(error, "format_message"):  # usage errors, whose class typer keeps to itself
             raise
-        status = complain([error.format_message() + (SPACED if is_spaced(sys.argv) else "")])
+        hint = SPACED if is_spaced(sys.argv) else as_setting(error, sys.argv)
+        status = complain([error.format_message() + hint])
     if status == BROKE_OFF:
         exec("")  # else `python -m` ends by SIGINT, not with this status, where Ctrl-C came in code that a library made of text
     sys.exit(status)

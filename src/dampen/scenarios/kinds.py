@@ -42,7 +42,7 @@ from dampen.disturbances.moving_load import MovingLoad
 from dampen.disturbances.none import NoDisturbance
 from dampen.disturbances.recorded import Recorded
 from dampen.disturbances.sum import Sum
-from dampen.own import complaint, own_object
+from dampen.own import complaint, own_object, with_colon
 from dampen.plants.assembled import Assembled
 from dampen.plants.base import Plant
 from dampen.plants.euler_bernoulli import EulerBernoulliBeam
@@ -117,9 +117,8 @@ def find_kind(table: str, kind: object, where: str, folder: Path) -> type[Compon
     if isinstance(kind, str) and ":" in kind:
         return own_class(own_object(kind, f"{where}.kind", folder), FAMILIES[table], kind, f"{where}.kind")
     if not isinstance(kind, str) or kind not in known:
-        raise ArgumentError(
-            f"Argument `{where}.kind` must be a known kind of {table}, but is {shown(kind)}{suggestion(str(kind), known)}"
-        )
+        hint = with_colon(str(kind), folder) or suggestion(str(kind), known)
+        raise ArgumentError(f"Argument `{where}.kind` must be a known kind of {table}, but is {shown(kind)}{hint}")
     return known[kind]
 
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 import tomllib
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import fields
 from importlib import resources
@@ -20,6 +20,7 @@ from dampen.component import (
     hints_of,
     near,
     parameters,
+    placed,
     shown,
     split_hint,
     suggestion,
@@ -95,7 +96,9 @@ def source_text(source: str | Path) -> str:
     path = known.get(str(source), Path(source))
     try:
         if not path.exists() and path.suffix != ".toml" and len(path.parts) == 1:
-            raise ArgumentError(f"Scenario `{source}` is neither a shipped scenario nor a file{suggestion(str(source), known)}")
+            beside = Path(f"{source}.toml")
+            hint = f"; did you mean `{beside}`?" if beside.is_file() else suggestion(str(source), known)
+            raise ArgumentError(f"Scenario `{source}` is neither a shipped scenario nor a file{hint}")
         if path.is_dir():
             inside = f": did you mean `{path / 'scenario.toml'}`?" if (path / "scenario.toml").is_file() else "."
             raise ArgumentError(f"Scenario `{source}` must be a file, but is a folder{inside}")
@@ -125,7 +128,21 @@ def parse(text: str, name: str) -> Table:
     try:
         return tomllib.loads(text)
     except (ValueError, RecursionError) as error:  # also numbers too long, tables too deep
-        raise ArgumentError(f"Scenario file `{name}` is not valid TOML: {fault(error, text)}") from None
+        raise ArgumentError(f"Scenario file `{name}` is not valid TOML: {fault(error, text, lists_of_tables())}") from None
+
+
+def every_table() -> Iterator[tuple[str, type[Component]]]:
+    """Name and class of all that a table of a scenario may hold, whatever its kind."""
+    yield from TABLES.items()
+    for name in ("plant", "disturbance", "controller"):
+        yield from ((name, cls) for cls in KINDS[name])
+
+
+def lists_of_tables() -> set[str]:
+    """The keys under which scenario files have lists of tables."""
+    hints = [(name, split_hint(hint)[0]) for _, cls in every_table() for name, hint in hints_of(cls).items()]
+    members = [(name, get_args(base)[0]) for name, base in hints if get_origin(base) is tuple]
+    return {"chain", *(name for name, member in members if isinstance(member, type) and issubclass(member, Component))}
 
 
 def override(table: Table, settings: Sequence[str]) -> Table:
@@ -220,7 +237,7 @@ class Builder:
                 faults.extend(error.lines)
 
         self.table = table
-        faults += [f"Argument `{key}` is not known{self.suggestion(key, TOP)}" for key in table if key not in TOP]
+        faults += [f"Argument `{key}` is not known{self.suggestion(_first(key, table), TOP)}" for key in table if key not in TOP]
         if "plant" not in table:
             faults.append("Argument `plant` must be given: a table with a `kind`.")
         parts: dict[str, Any] = {key: table[key] for key in ("name", "title", "claims") if key in table}
@@ -237,16 +254,18 @@ class Builder:
             raise ArgumentError(faults)
         return Scenario(**parts)
 
-    def suggestion(self, word: str, known: Sequence[str]) -> str:
-        """'; did you mean `x`?': a table of this scenario that has this very parameter, else a word that is near or all known."""
-        for name in ("disturbance", "plant", "controller", *TABLES):
-            cls, values = TABLES.get(name), self.table.get(name)
-            if cls is None and isinstance(values, dict) and "kind" in values:
+    def suggestion(self, path: str, known: Sequence[str]) -> str:
+        """'; did you mean `x`?': a table of this scenario that has a parameter there, else a word that is near or all known."""
+        return placed(path, self.tables()) or suggestion(path.partition(".")[0], known)
+
+    def tables(self) -> Iterator[tuple[str, type[Component]]]:
+        """The tables of this scenario by name, with the class of each whose kind is known."""
+        for name in ("disturbance", "plant", "controller"):
+            values = self.table.get(name)
+            if isinstance(values, dict) and "kind" in values:
                 with suppress(ArgumentError):
-                    cls = self.kind(name, values["kind"], name)
-            if cls and word in (f.name for f in fields(cls)):
-                return f"; did you mean `{name}.{word}`?"
-        return suggestion(word, known)
+                    yield name, self.kind(name, values["kind"], name)
+        yield from TABLES.items()
 
     def of_kind(self, table: str, values: Any, where: str) -> Any:
         """A component of the class that `kind` names."""
@@ -314,6 +333,15 @@ class Builder:
         if common is not None and plant is not None:
             chains = {port.name: chains.pop(port.name, common) for port in plant.ports} | chains
         return chains
+
+
+def _first(key: str, table: Mapping[str, Any]) -> str:
+    """The path of the first value that a table has under a key."""
+    path, inner = [key], table[key]
+    while isinstance(inner, dict) and inner:
+        path.append(next(iter(inner)))
+        inner = inner[path[-1]]
+    return ".".join(path)
 
 
 def _mapping(value: Any, where: str) -> Table:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 import tomllib
+from collections.abc import Collection
 
 from dampen.component import NUMBER, UNIT, cut
 
@@ -40,13 +41,18 @@ def is_toml(text: str) -> bool:
     return True
 
 
-def fault(error: Exception, text: str) -> str:
-    """What TOML's reader says of a text, with the line that it stumbled over and what may have been meant there."""
+def fault(error: Exception, text: str, lists: Collection[str] = ()) -> str:
+    """What TOML's reader says of a text, with the line that it stumbled over and what may have been meant there.
+
+    lists: the keys of tables that come in lists.
+    """
     place, lines = re.search(r"at line (\d+)", str(error)), text.rstrip().splitlines()
     if not lines:
         return f"{error}."
     line = (lines[int(place[1]) - 1] if place and int(place[1]) <= len(lines) else lines[-1]).strip()
     heading = HEADING.match(line)
     if heading and "twice" in str(error):
-        return f"{error}, `{cut(line)}`; each of a list of tables is written `[{cut(heading[0])}]`."
+        name, last = cut(heading[0]), heading[0].strip("[] ").rpartition(".")[2].strip()
+        advice = f"each of a list of tables is written `[{name}]`" if last in lists else f"merge the two `{name}` tables"
+        return f"{error}, `{cut(line)}`; {advice}."
     return f"{error}, `{cut(line)}`{meant(line)}"

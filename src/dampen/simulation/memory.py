@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-import difflib
 from collections.abc import Mapping
+from types import FunctionType
 
 import numpy as np
 
@@ -54,11 +54,17 @@ def never_learned(controller: Controller, memory: Mapping[str, object]) -> list[
     """A note on memories that stay what they were, since the user's class has no `learn`."""
     if not (memory and own(type(controller)) and type(controller).learn is Controller.learn):
         return []
-    methods = {name for cls in type(controller).__mro__ if own(cls) and cls is not object for name in vars(cls)}
-    near = difflib.get_close_matches("learn", methods, n=1)
     names = listed([f"`{name}`" for name in memory])
     what = f"memory {names} never changes" if len(memory) == 1 else f"memories {names} never change"
-    return [f"{own_name(controller)} defines no `learn`{f', only `{near[0]}`' if near else ''}: its {what}."]
+    return [f"{own_name(controller)} {lacking(controller, 'learn')}: its {what}."]
+
+
+def lacking(controller: Controller, name: str) -> str:
+    """What to say of a method that the user's class does not define: perhaps it is there under another name."""
+    members = {key: value for cls in type(controller).__mro__ if own(cls) for key, value in vars(cls).items()}
+    others = [key for key, value in members.items() if isinstance(value, FunctionType) and not hasattr(Controller, key)]
+    methods = [f"`{key}`" for key in others if not key.startswith("_")]
+    return f"defines no `{name}`{f', only {listed(methods)}' if methods else ''}"
 
 
 def _spreads(shape: tuple[int, ...], over: tuple[int, ...]) -> bool:

@@ -15,7 +15,7 @@ from dampen.simulation.bench import Bench
 from dampen.simulation.digital import Sampler
 from dampen.simulation.digital_side import begin_again, idle, prepare, sampler_of
 from dampen.simulation.kernel import Inputs, Record
-from dampen.simulation.memory import after, begun
+from dampen.simulation.memory import after, begun, lacking
 from dampen.simulation.pieces import check_sampled
 from dampen.simulation.records import empty_record, port_records
 from dampen.simulation.scenario import Scenario
@@ -68,9 +68,15 @@ def passes(scenario: Scenario, bench: Bench, compile: bool = True) -> Iterator[P
 
 def law_of(scenario: Scenario, memory: Mapping[str, Array], setting: Setting) -> PortLaw:
     """The controller's law for the coming trial, checked."""
-    with blame(scenario.controller, "law"):
-        law = scenario.controller.law(memory, setting)
-    check_law(scenario.controller, law, setting)
+    controller = scenario.controller
+    try:
+        with blame(controller, "law"):
+            law = controller.law(memory, setting)
+    except ArgumentError as error:
+        if type(controller).begin is not Controller.begin or not isinstance(error.__cause__, KeyError):
+            raise
+        raise ArgumentError(f"{error.lines[0].rstrip('.')}: it {lacking(controller, 'begin')}.") from None
+    check_law(controller, law, setting)
     check_monotone(scenario, law)
     return law
 

@@ -77,7 +77,9 @@ def check_sampled(controller: Controller, setting: Setting) -> None:
     if not isinstance(controller, SampledFeedback) or not own(type(controller)):
         return
     with blame(controller, "row"):
-        row = np.array(controller.row(setting), float).ravel()
+        row = np.ascontiguousarray(controller.row(setting), float)
+    if row.ndim > 1:
+        raise ArgumentError(f"{own_name(controller)}.row must give a row of numbers, but gives an array of shape {row.shape}.")
     nothing, command = np.zeros(len(setting.ports)), np.zeros(len(setting.ports))
     state = np.zeros(max(1, controller.states(setting)))
     sample = Sample(*(nothing,) * len(Sample._fields))

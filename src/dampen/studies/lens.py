@@ -6,7 +6,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import fields, is_dataclass, replace
 from typing import Any
 
-from dampen.component import ArgumentError, parameters, suggestion
+from dampen.component import ArgumentError, parameters, placed, suggestion
 from dampen.simulation.scenario import Scenario
 from dampen.toml import CHAINS
 
@@ -65,7 +65,8 @@ def _inside(part: Any, key: str, path: str, above: Sequence[str]) -> Any:
     if isinstance(part, Mapping):
         given = f"given there: {', '.join(known)}" if known else "nothing is given there"
         raise ArgumentError(f"Argument `{path}` must have a value in the scenario, by --set for example; {given}.")
-    hint = suggestion(key, known) if known else "; there is nothing."
+    tables = [(f.name, type(getattr(part, f.name))) for f in fields(part)] if isinstance(part, Scenario) else []
+    hint = placed(path, tables) or (suggestion(key, known) if known else "; there is nothing.")
     raise ArgumentError(f"Argument `{path}` is not known{hint}")
 
 
