@@ -76,8 +76,8 @@ def odd_sizes(scenario: Scenario, modes: Modes) -> list[str]:
     whole = scenario.task.trials * scenario.task.trial_duration
     if lowest * whole < 1:
         warnings.append(
-            f"The lowest mode is at {lowest:.2g} Hz and does not swing once in the {whole:g} s of the run: are the plant's parameters "
-            "in the units that `dampen list` gives?"
+            f"The lowest mode is at {lowest:.2g} Hz and does not swing once in the {whole:g} s of the run: are the plant's "
+            "parameters in the units that `dampen list` gives?"
         )
     swinging = modes.omega > 0
     if swinging.any() and np.all(modes.decay[swinging] >= modes.omega[swinging]):
