@@ -22,7 +22,7 @@ from dampen.report.study.page import verdict_of
 from dampen.simulation.batch import alone
 from dampen.simulation.bench import Bench
 from dampen.studies.api import resume, robust, sweep, tune
-from dampen.studies.best import best_row, best_scenario, nearest_row, write_best
+from dampen.studies.best import best_row, best_scenario, nearest_row, outcome, write_best
 from dampen.studies.definition import robust_of, sweep_of, tune_of
 from dampen.studies.engines import Cores, Here
 from dampen.studies.search import clipped
@@ -179,6 +179,7 @@ def test_where_nothing_keeps_the_constraint_the_nearest_is_told_and_written(tmp_
     found = nearest_row(study.rows.rows, "peak")
     assert found is not None
     assert found["member"] == best["member"]
+    assert outcome(study).endswith(f"member {best['member']}, broke it by {-100 * best['margin']:.3g} %.")
     (path,) = write_best(study)
     assert path.name == "nearest.toml"
     assert f"by {-100 * best['margin']:.3g} %" in path.read_text().splitlines()[0]

@@ -187,7 +187,7 @@ def _start(
 
 
 def _go_on(study: Study, workers: int | None, scheduler: str | None, report: bool) -> None:
-    from dampen.studies.best import NEAREST, at_ends, best_row, write_best
+    from dampen.studies.best import NEAREST, outcome, write_best
     from dampen.studies.engines import Cluster, Cores
 
     with study_bar(study) as progress:
@@ -199,9 +199,8 @@ def _go_on(study: Study, workers: int | None, scheduler: str | None, report: boo
         out.print(f"{'Nearest' if path.name == NEAREST else 'Best'}: {path}", markup=False)
     if not report:
         out.print(f"Study: {study.folder}", markup=False)
-        row = best_row(study, study.definition.objectives[0]) if study.definition.kind == "tune" else None
-        if row is not None and (ends := at_ends(study.definition, row)):
-            out.print(f"{ends}.", markup=False)
+        if told := outcome(study):
+            out.print(told, markup=False)
     if not study.complete:
         err.print(f"{study.done} of {study.members} rows are done: `dampen resume {study.folder}` goes on.", markup=False)
         raise typer.Exit(BROKE_OFF)

@@ -51,6 +51,25 @@ def at_ends(definition: Definition, row: Mapping[str, Any]) -> str:
     return "; ".join(found) + (": a wider one may give more" if found else "")
 
 
+def outcome(study: Study) -> str:
+    """What a tuning tells without its report: that nothing kept the constraint, or that the best is at an end of a range."""
+    if study.definition.kind != "tune":
+        return ""
+    objective = study.definition.objectives[0]
+    best, nearest = best_row(study, objective), nearest_row(study.rows.rows, objective)
+    if best is not None:
+        ends = at_ends(study.definition, best)
+        return f"{ends}." if ends else ""
+    return "" if nearest is None else f"Of {study.done:,} runs {why_not(nearest)}."
+
+
+def why_not(row: Mapping[str, Any]) -> str:
+    """What the nearest row lacks."""
+    beyond = violation(row)
+    broke = f"none held the constraint; the nearest, member {row['member']}, broke it by {100 * beyond:.3g} %"
+    return broke if beyond > 0 else f"none had forces that settled; the nearest is member {row['member']}"
+
+
 def end_of(axis: Axis, value: float) -> str:
     """ "lower" or "upper" where the value is at that end of a searched range, on its scale; else ""."""
     low, high = (math.ceil(axis.low), math.floor(axis.high)) if axis.whole else (axis.low, axis.high)
@@ -123,10 +142,7 @@ def _write_nearest(study: Study, path: Path) -> list[Path]:
     definition, row = study.definition, nearest_row(study.rows.rows, study.definition.objectives[0])
     if row is None:
         return []
-    beyond, how = violation(row), "its forces did not settle"
-    if beyond > 0:
-        how = f"none keeps the constraint, and it breaks it least, by {100 * beyond:.3g} %"
-    about = f"# Member {row['member']} of a tuning, see study.toml beside it: {how}.\n"
+    about = f"# Of a tuning, see study.toml beside it: {why_not(row)}.\n"
     found = renamed(member(definition.scenario, definition.axes, row), "nearest")
     path.write_text(about + to_toml(found), encoding="utf-8")
     return [path]
