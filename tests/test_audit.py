@@ -11,7 +11,7 @@ import pytest
 import dampen
 from dampen.analysis.audit.assumptions import repetition
 from dampen.analysis.audit.audit import Audit, audit
-from dampen.analysis.audit.boundedness import bounded
+from dampen.analysis.audit.boundedness import FOOLED, bounded, bounded_by_chance, late_ones, late_trials
 from dampen.analysis.audit.energetics import dissipation_by_quadrature
 from dampen.analysis.audit.resolution import resolution
 from dampen.analysis.audit.sticking import left, longest_stick
@@ -221,6 +221,66 @@ def test_the_longest_stick_is_told_on_the_clock_of_the_whole_run() -> None:
 def test_what_grows_with_the_trials_is_flagged_however_long_the_run(growth: np.ndarray) -> None:
     assert bounded("d_hat", "tip_w", growth, "N").verdict == "FAIL"
     assert bounded("d_hat", "tip_w", 1 + np.exp(-growth), "N").verdict == "PASS"
+
+
+@pytest.mark.parametrize("trials", [10, 12, 15, 25, 60])
+def test_chance_alone_seldom_passes_for_growth_and_growth_is_found(trials: int) -> None:
+    """Independent draws: the stated probability is that of the k largest all being late, and an upper bound of false alarms."""
+    rng, (most, chance) = np.random.default_rng(trials), late_ones(trials)
+    draws = np.exp(0.4 * rng.standard_normal((4000, trials)))
+    late = late_trials(trials)
+    places = np.argsort(draws, axis=1)[:, -most:]
+    fooled = np.mean(np.all(places >= trials - late, axis=1))
+    assert most > late / 2
+    assert chance <= FOOLED
+    assert fooled == pytest.approx(chance, abs=4 * np.sqrt(chance / 4000) + 1e-12)
+    alarms = np.mean([bounded_by_chance("y", "tip_w", one, "m").verdict == "FAIL" for one in draws])
+    assert alarms <= fooled
+    growing = np.arange(1, trials + 1) ** 2 * np.exp(0.05 * rng.standard_normal((200, trials)))
+    found = np.mean([bounded_by_chance("y", "tip_w", one, "m").verdict == "FAIL" for one in growing])
+    assert found > 0.95
+    assert bounded_by_chance("y", "tip_w", np.arange(1.0, trials + 1), "m").verdict == "FAIL"
+    assert np.mean([bounded("y", "tip_w", one, "m").verdict == "FAIL" for one in draws]) > 0.1
+
+
+def test_a_row_of_trials_that_differ_by_chance_states_its_criterion_and_how_likely_chance_fails_it() -> None:
+    peaks = np.array([1.0, 1.2, 0.9, 1.1, 1.0, 1.3, 1.3, 0.8, 1.27, 1.0])
+    row = bounded_by_chance("y", "tip_w", peaks, "m")
+    assert row.criterion == "largest |y| at tip_w > 105 % of all before in fewer than 5 of the last 5 trials"
+    assert row.measured == "1.3 m; 3 of the last 5 above 105 % of those before"
+    assert "chance alone fails this row in 0.4 % of runs at most" in row.meaning  # 1 / C(10, 5) = 1 / 252
+    assert row.verdict == "PASS"
+    assert bounded_by_chance("y", "", peaks[:9], "").verdict == "n/a"
+    assert bounded_by_chance("y", "", np.append(peaks, np.inf), "").verdict == "FAIL"
+
+
+@pytest.mark.parametrize("seed", range(4))
+def test_noise_that_is_drawn_anew_does_not_pass_for_growth(seed: int) -> None:
+    law = ("controller.kind=boundary-damping", "controller.damping={tip_w=2.0,tip_phi=0.05}", "numerics.modes=10")
+    case = dampen.read_scenario("euler-bernoulli-payload", law)
+    noisy = replace(case.disturbance, terms=tuple(
+        replace(term, seed=seed) if isinstance(term, dampen.BandNoise) else term for term in case.disturbance.parts
+    )) if isinstance(case.disturbance, dampen.Sum) else replace(case.disturbance, seed=seed)  # fmt: skip
+    found = audit(dampen.simulate(replace(case, disturbance=noisy)), refine=False)
+    rows = [row for row in found.findings if row.id.startswith("bounded.")]
+    assert len(rows) >= 9
+    assert all(row.verdict == "PASS" and "by chance" in row.meaning for row in rows)
+
+
+def test_what_makes_trials_differ_by_chance() -> None:
+    steady, anew = dampen.BandNoise({"tip_w": 1.0}, 1, 2, trials="repeat"), dampen.BandNoise({"tip_w": 1.0}, 1, 2)
+    assert [one.by_chance for one in (steady, anew, replace(anew, trials="continue"))] == [False, True, True]
+    assert not replace(anew, rms={"tip_w": 0.0}).by_chance
+    assert dampen.Sum((steady, anew)).by_chance
+    assert not dampen.Sum((steady, steady)).by_chance
+    shaking = dampen.BaseShaking(rms=1.0, low=1.0, high=2.0)
+    assert [replace(shaking, trials=t).by_chance for t in ("repeat", "random", "continue")] == [False, True, True]
+    assert not dampen.BaseShaking(frequencies=(1.0,), amplitudes=(1.0,), trials="continue").by_chance
+    case = dampen.read_scenario("he2017")
+    assert not case.by_chance
+    assert dampen.read_scenario("he2017", ["task.start=reset", "task.reset_error={tip_w=0.001}"]).by_chance
+    assert dampen.read_scenario("he2017-sampled", ["sampling.noise={tip_w=0.001}"]).by_chance
+    assert not dampen.read_scenario("he2017", ["sampling.noise={tip_w=0.001}"]).by_chance
 
 
 def held_off(result: dampen.Result) -> float:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import html
 import json
+import math
 import re
 import signal
 import subprocess
@@ -34,8 +35,10 @@ from dampen.simulation.bench import Bench
 from dampen.simulation.setting import setting_of
 from dampen.studies.compare.api import Plan, open_comparison
 from dampen.studies.compare.comparison import Comparison, Contender, Refined, Searched, from_plain
+from dampen.studies.compare.judge import range_notes
 from dampen.studies.compare.ranges import from_controller, from_kind, middle, stretched
 from dampen.studies.compare.verdict import front, verdict
+from dampen.studies.definition import tune_of
 from dampen.studies.engines import Here
 from dampen.studies.record import schema
 from dampen.studies.study import open_study
@@ -322,6 +325,21 @@ def test_ranges_have_middles_and_are_stretched_to_what_a_scenario_has() -> None:
     assert stretched("0.01:100:log", 1000.0) == "0.01:1000.0:log"
     assert stretched("0.01:100:log", 0.0) == "0.01:100:log"
     assert stretched("0:0.5", 0.7) == "0:0.7"
+
+
+def test_a_range_that_was_stretched_and_a_best_value_at_its_end_are_noted() -> None:
+    law = ("controller.kind=boundary-damping", "controller.damping={tip_w=1e6,tip_phi=1.0}")
+    case = dampen.read_scenario("he2017", (*SHORT, *law))
+    start = from_controller(case, Bench(case))
+    note = start.notes[0]
+    assert note.startswith("the range of damping.tip_w, ")
+    assert note.endswith(" is stretched to its own value, 1e+06")
+    definition = tune_of(case, start.search, ["residual"], 4)
+    middles = {axis.name: math.sqrt(axis.low * axis.high) for axis in definition.axes}
+    assert range_notes(definition, middles) == ()
+    (told,) = range_notes(definition, {**middles, "controller.damping.tip_w": 1e6})
+    assert told.startswith("damping.tip_w is at the upper end of its range, ")
+    assert told.endswith(" to 1e+06: a wider one may give more")
 
 
 def contender(

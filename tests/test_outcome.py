@@ -4,12 +4,14 @@ from __future__ import annotations
 
 import math
 import sys
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
 import pytest
 
 import dampen
+from dampen.analysis.at_limit import ends_of, share_at_limit, share_of_command
 from dampen.analysis.claims import Claim
 from dampen.cli import main
 from dampen.report.glossary import WORDS
@@ -43,6 +45,39 @@ def test_the_sentences_have_the_run_s_own_numbers() -> None:
     assert f"Without control it is {np.abs(free['y'][1]).max():#.3g} m in trial 1" in motion
     rms, largest = math.sqrt(np.mean(delivered**2)), np.abs(delivered).max()
     assert force == f"Delivered force at tip_w: {rms:#.3g} N RMS, {largest:#.3g} N at most."
+
+
+def test_how_often_an_actuator_stood_at_its_limit_is_counted_and_told() -> None:
+    limit = dampen.Saturation(slope=2.0, low=-0.4, high=0.3)
+    run = dampen.simulate(replace(rope(1.0), actuators={"tip_w": (limit,)}), compile=False)
+    delivered = [float(force) for trial in run["delivered"][:] for force in trial[:, 0]]
+    share = sum(force in (-0.4, 0.3) for force in delivered) / len(delivered)
+    assert 0.1 < share < 1
+    assert share_at_limit(run, "tip_w") == share
+    assert in_words(run, None, (1.0,))[-1].endswith(f" N at most, at its limit in {100 * share:.0f} % of the steps.")
+    wide = replace(rope(1.0), actuators={"tip_w": (replace(limit, low=-50.0, high=50.0),)})
+    assert in_words(dampen.simulate(wide, compile=False), None, (1.0,))[-1].endswith(" N at most, never at its limit.")
+    assert share_at_limit(dampen.simulate(rope(1.0), compile=False), "tip_w") is None
+
+
+def test_a_limit_is_followed_through_what_stands_behind_it_as_far_as_that_has_no_memory() -> None:
+    limit, none = dampen.Saturation(low=-1.0, high=2.0), (-math.inf, math.inf)
+    assert ends_of((limit,), 0.01) == (-1.0, 2.0)
+    assert ends_of((dampen.Backlash(), limit, dampen.Ideal()), 0.01) == (-1.0, 2.0)
+    assert ends_of((limit, dampen.DeadZone(slope=2.0, right=0.5, left=-0.25)), 0.01) == (-1.5, 3.0)
+    assert ends_of((limit, dampen.Saturation(slope=3.0, low=-4.0, high=4.0)), 0.01) == (-3.0, 4.0)
+    assert ends_of((limit, dampen.FirstOrderLag()), 0.01) == none
+    assert ends_of((), 0.01) == none
+
+
+def test_how_often_a_sampled_law_s_command_stood_at_its_limit_is_told() -> None:
+    numerics = replace(rope(1.0).numerics, mode="sampled")
+    sampling = dampen.Sampling(period=0.01, command_limit={"tip_w": 0.3})
+    run = dampen.simulate(replace(rope(1.0), numerics=numerics, sampling=sampling), compile=False)
+    share = float(np.mean(np.abs(run["command"][:, :, 0]) == 0.3))
+    assert 0.1 < share < 1
+    assert share_of_command(run, "tip_w") == share
+    assert in_words(run, None, (1.0,))[-1].endswith(f", its command at its limit in {100 * share:.0f} % of the steps.")
 
 
 def test_ports_that_nothing_drives_have_no_force() -> None:

@@ -18,12 +18,14 @@ import pytest
 
 import dampen
 from dampen.analysis.merits import merits
+from dampen.report.study.page import verdict_of
 from dampen.simulation.batch import alone
 from dampen.simulation.bench import Bench
 from dampen.studies.api import resume, robust, sweep, tune
-from dampen.studies.best import best_row, best_scenario
+from dampen.studies.best import best_row, best_scenario, nearest_row, outcome, write_best
 from dampen.studies.definition import robust_of, sweep_of, tune_of
 from dampen.studies.engines import Cores, Here
+from dampen.studies.search import clipped
 from dampen.studies.study import Study, new_study, open_study
 from dampen.studies.variation import Option, member, read_axis
 from tests.conftest import scenario
@@ -164,6 +166,33 @@ def test_candidates_that_lose_the_constraint_come_last() -> None:
     assert best is not None
     assert best["status"] == "complete"
     assert lost["effort.tip_w"].min() < best["effort.tip_w"]  # it would have been cheaper to lose it
+
+
+def test_where_nothing_keeps_the_constraint_the_nearest_is_told_and_written(tmp_path: Path) -> None:
+    """So little damping does not hold the tip; the nearest is the row with the largest margin."""
+    weak = scenario(*SHORT, "controller.kind=boundary-damping", "controller.damping={tip_w=0.001,tip_phi=0.001}",
+                    "task.trial_duration=2.0")  # fmt: skip
+    study = tune(weak, {"controller.damping.tip_w": "0.001:0.2"}, budget=6, folder=tmp_path / "study", engine=Here())
+    table = study.table
+    assert set(table["status"]) == {"constraint_lost"}
+    best = table.iloc[int(table["margin"].argmax())]
+    found = nearest_row(study.rows.rows, "peak")
+    assert found is not None
+    assert found["member"] == best["member"]
+    assert outcome(study).endswith(f"member {best['member']}, broke it by {-100 * best['margin']:.3g} %.")
+    (path,) = write_best(study)
+    assert path.name == "nearest.toml"
+    assert f"by {-100 * best['margin']:.3g} %" in path.read_text().splitlines()[0]
+    assert dampen.read_scenario(path).controller.damping["tip_w"] == best["controller.damping.tip_w"]  # type: ignore[attr-defined]
+    told = verdict_of(study)
+    assert told.startswith("None of 6 runs held the constraint; the nearest broke it by ")
+    assert f"damping tip w = {best['controller.damping.tip_w']:.4g}" in told
+
+
+def test_a_start_outside_of_the_range_is_told() -> None:
+    case = scenario("controller.alpha_1=5.0")
+    definition = tune_of(case, ["controller.alpha_1=0.01:2:log", "controller.alpha_7=0.01:100:log"], ["peak"], 4)
+    assert clipped(definition) == ["controller.alpha_1 is 5, outside its range, 0.01 to 2: the search begins at 2"]
 
 
 def test_a_robust_tuning_s_row_is_its_worst_sample(short: dampen.Scenario) -> None:

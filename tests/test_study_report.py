@@ -25,8 +25,10 @@ from dampen.report.study.views.pareto import front
 from dampen.report.study.views.profile import draw_profile
 from dampen.report.study.views.scatter import draw_scatter, most_important
 from dampen.report.study.views.sensitivity import draw_sensitivity
-from dampen.report.study.views.slices import draw_slices, touched
+from dampen.report.study.views.slices import draw_slices
 from dampen.report.style import DASH, MINUS, percent, quantity
+from dampen.studies.best import at_ends, end_of
+from dampen.studies.definition import tune_of
 from dampen.studies.statistics import proportion, robustness
 from tests.conftest import scenario
 from tests.synthetic import StandIn, axes, refuse, robust_study, sweep_study, tune_study
@@ -235,12 +237,25 @@ def test_a_margin_is_made_large_on_the_front() -> None:
 
 def test_an_optimum_at_a_bound_is_told() -> None:
     study = tune_study()
-    best = best_of(study, "peak")
     _, sentence = draw_slices(study, "peak")
-    assert f"alpha_9 = {best['controller.alpha_9']:.4g} is at its upper bound" in sentence
+    told = "controller.alpha_9 is at the upper end of its range, 0.01 to 0.9: a wider one may give more."
+    assert sentence.endswith(told)
     assert "alpha_4" not in sentence
+    assert verdict_of(study).endswith(told)
     (axis,) = axes("search", "controller.alpha_4=0.01:100:log")
-    assert (touched(axis, 0.011), touched(axis, 1.0), touched(axis, 99.0)) == ("lower", "", "upper")
+    assert [end_of(axis, at) for at in (0.0109, 0.011, 1.0, 91.0, 92.0)] == ["lower", "", "", "", "upper"]
+    (whole,) = axes("search", "controller.alpha_4=0.5:10")
+    assert [end_of(replace(whole, whole=True), at) for at in (1, 2, 9, 10)] == ["lower", "", "", "upper"]
+
+
+def test_an_end_beyond_which_there_is_nothing_is_not_told() -> None:
+    """Damping below 0 is none that the law takes."""
+    case = scenario("controller.kind=boundary-damping", "controller.damping={tip_w=1.0}")
+    definition = tune_of(case, ["controller.damping.tip_w=0:10"], ["peak"], 10)
+    name = definition.axes[0].name
+    assert at_ends(definition, {name: 0.0}) == ""
+    assert at_ends(definition, {name: 5.0}) == ""
+    assert at_ends(definition, {name: 10.0}) == f"{name} is at the upper end of its range, 0 to 10: a wider one may give more"
 
 
 def test_an_unfinished_study_says_so(tmp_path: Path, robust: StandIn) -> None:

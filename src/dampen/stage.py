@@ -45,6 +45,11 @@ class Stage(Family):
         return -math.inf, math.inf
 
     @property
+    def ends(self) -> tuple[float, float]:
+        """The least and the largest that it delivers, however large the input; infinite where it has no limit."""
+        return -math.inf, math.inf
+
+    @property
     def lag_time(self) -> float:
         """Time constant tau [s] with which the output follows the input, as gain / (1 + tau s); 0: at once."""
         return 0.0

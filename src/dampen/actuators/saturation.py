@@ -40,3 +40,7 @@ class Saturation(Stage):
     @property
     def gain(self) -> float:
         return self.slope
+
+    @property
+    def ends(self) -> tuple[float, float]:
+        return self.low, self.high

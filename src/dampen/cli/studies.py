@@ -125,11 +125,14 @@ def tune(
 ) -> None:
     """`dampen tune`."""
     from dampen.studies.definition import tune_of
+    from dampen.studies.search import clipped
 
     case, home = _scenario(scenario, set_)
     definition = tune_of(
         case, search or (), objective or ("peak",), budget, population, seed, robust_over or (), robust_samples, home
     )
+    for line in clipped(definition):
+        err.print(f"Note: {line}.", markup=False)
     _start(definition, folder, workers, scheduler, report, hours)
 
 
@@ -184,7 +187,7 @@ def _start(
 
 
 def _go_on(study: Study, workers: int | None, scheduler: str | None, report: bool) -> None:
-    from dampen.studies.best import write_best
+    from dampen.studies.best import NEAREST, outcome, write_best
     from dampen.studies.engines import Cluster, Cores
 
     with study_bar(study) as progress:
@@ -193,9 +196,11 @@ def _go_on(study: Study, workers: int | None, scheduler: str | None, report: boo
     if report:
         _report(study)
     for path in written:
-        out.print(f"Best: {path}", markup=False)
+        out.print(f"{'Nearest' if path.name == NEAREST else 'Best'}: {path}", markup=False)
     if not report:
         out.print(f"Study: {study.folder}", markup=False)
+        if told := outcome(study):
+            out.print(told, markup=False)
     if not study.complete:
         err.print(f"{study.done} of {study.members} rows are done: `dampen resume {study.folder}` goes on.", markup=False)
         raise typer.Exit(BROKE_OFF)

@@ -47,5 +47,9 @@ class BandNoise(Clocked):
             for p, port in enumerate(site.ports) if port.name in self.rms
         })  # fmt: skip
 
+    @property
+    def by_chance(self) -> bool:
+        return self.trials != "repeat" and any(self.rms.values())
+
     def content(self, trial: int, site: Site) -> Content:
         return Content(port_frequency=tuple(self.high if self.rms.get(port.name) else 0.0 for port in site.ports))

@@ -76,6 +76,11 @@ class Disturbance(Family):
         """The first trial in which the disturbance was what it is in `trial`, so that it need not be sampled again."""
         return trial
 
+    @property
+    def by_chance(self) -> bool:
+        """Whether trials differ by chance: noise that is drawn anew in each, or runs on and never repeats."""
+        return False
+
     def held(self) -> Disturbance:
         """The disturbance without what changes its frequencies from trial to trial: those of trial 0 stay."""
         return self

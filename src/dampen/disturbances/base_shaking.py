@@ -47,6 +47,10 @@ class BaseShaking(Clocked):
             acceleration = acceleration + noise(self.low, self.high, self.rms, site.duration, (self.seed, drawn), endless).at(t)
         return acceleration
 
+    @property
+    def by_chance(self) -> bool:
+        return self.trials != "repeat" and self.rms > 0
+
     def content(self, trial: int, site: Site) -> Content:
         heard = [f for f, amplitude in zip(self.frequencies, self.amplitudes, strict=True) if amplitude]
         return Content(load_frequency=max([*heard, self.high if self.rms else 0.0]))

@@ -35,5 +35,9 @@ class Sum(Disturbance):
         candidates = range(max(firsts, default=0), trial)
         return next((j for j in candidates if [term.same_as(j) for term in self.terms] == firsts), trial)
 
+    @property
+    def by_chance(self) -> bool:
+        return any(term.by_chance for term in self.terms)
+
     def held(self) -> Sum:
         return replace(self, terms=tuple(term.held() for term in self.terms))

@@ -25,7 +25,8 @@ WORDS = {
     "n/a": "nothing can be said of it in this run; the row says why.",
     "signals that do not grow": (
         "y, v, command, delivered force and each of the law's memories at every port, and the structure's energy: the "
-        "largest of the last five trials is at most 105 % of the largest before. Claim T1 counts E_j among them."
+        "largest of the last fifth of the trials, five at the least, is at most 105 % of the largest before. Where trials differ "
+        "by chance, most of that fifth must be above to count as growth. Claim T1 counts E_j among them."
     ),
     "zeta, d_hat": (
         "memories of the paper's law: what is learned, zeta_j = zeta_(j-1) - alpha_4 v, the outer loop; and the estimate "

@@ -6,6 +6,7 @@ from collections.abc import Sequence
 
 import numpy as np
 
+from dampen.analysis.at_limit import share_at_limit, share_of_command
 from dampen.analysis.audit.sticking import driven
 from dampen.analysis.metrics import error_peaks, first_beyond, fraction_of_limit
 from dampen.analysis.sampling_cost import effort
@@ -26,8 +27,17 @@ def in_words(run: Result, baseline: Result | None, frequencies: Sequence[float])
         if largest == 0:
             continue
         spent = f"{quantity(effort(run, of), port.effort)} RMS, {quantity(largest, port.effort)} at most"
-        lines.append(f"{port.effort_words.capitalize()} at {of}: {spent}.")
+        lines.append(f"{port.effort_words.capitalize()} at {of}: {spent}{limited(run, of)}.")
     return lines
+
+
+def limited(run: Result, of: str) -> str:
+    """How often the actuator at a port, or the command of a sampled law, stood at its limit; "" where there is none."""
+    text = ""
+    for share, whose in ((share_at_limit(run, of), ""), (share_of_command(run, of), "its command ")):
+        if share is not None:
+            text += f", {whose}at its limit in {percent(share)} of the steps" if share else f", {whose}never at its limit"
+    return text
 
 
 def port_in_words(run: Result, of: str, behind: Result | None = None) -> str:

@@ -183,6 +183,12 @@ class Scenario(Component):
         return self.numerics.mode == "sampled"
 
     @property
+    def by_chance(self) -> bool:
+        """Whether trials differ by chance: in the disturbance, in where a reset puts the ports, or in what sensors read."""
+        noise = self.sampled and any(self.sampling.noise.values())
+        return self.disturbance.by_chance or any(self.task.reset_error.values()) or noise
+
+    @property
     def law_grid(self) -> tuple[int, float]:
         """How many intervals a trial has for the law, and their length [s]."""
         period = self.sampling.period if self.sampled else self.numerics.step

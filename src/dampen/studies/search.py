@@ -14,6 +14,7 @@ from dampen.component import ArgumentError
 from dampen.studies.definition import Definition
 from dampen.studies.evaluate import Row
 from dampen.studies.lens import get
+from dampen.studies.variation import Axis
 
 BEYOND = 1e6  # what a candidate that breaks the constraint counts, and what it breaks it by comes on top
 BROKEN = 1e9  # what one counts that diverges or cannot be run
@@ -39,7 +40,7 @@ class Search:
         directions = [optuna.study.StudyDirection.MINIMIZE] * len(definition.objectives)
         self.study = optuna.create_study(directions=directions)
         self.asked: list[Any] = []
-        self.study.enqueue_trial(self._start())
+        self.study.enqueue_trial(start_of(definition))
 
     def ask(self, number: int, count: int) -> list[Mapping[str, Any]]:
         """What a generation's members try; the first of all is the scenario as it is, as far as the ranges go."""
@@ -60,10 +61,6 @@ class Search:
             trial.set_user_attr("violation", violation(row))
             self.study.tell(trial, costs(row, self.definition.objectives))
 
-    def _start(self) -> dict[str, Any]:
-        own = {axis.name: get(self.definition.scenario, axis.paths[0]) for axis in self.definition.axes}
-        return {axis.name: min(max(own[axis.name], axis.low), axis.high) for axis in self.definition.axes}
-
     def _distributions(self) -> dict[str, Any]:
         from optuna.distributions import FloatDistribution, IntDistribution
 
@@ -83,7 +80,27 @@ class Search:
             return NSGAIISampler(
                 population_size=definition.population, seed=seed, constraints_func=lambda trial: [trial.user_attrs["violation"]]
             )
-        return CmaEsSampler(x0=self._start(), seed=seed, popsize=definition.population, n_startup_trials=1)
+        return CmaEsSampler(x0=start_of(definition), seed=seed, popsize=definition.population, n_startup_trials=1)
+
+
+def start_of(definition: Definition) -> dict[str, Any]:
+    """Where a search begins, by axis: the scenario's own values, or the ends of their ranges where these are outside."""
+    return {axis.name: min(max(own, axis.low), axis.high) for axis, own in owned(definition)}
+
+
+def owned(definition: Definition) -> list[tuple[Axis, Any]]:
+    """Each axis, and the scenario's own value there."""
+    return [(axis, get(definition.scenario, axis.paths[0])) for axis in definition.axes]
+
+
+def clipped(definition: Definition) -> list[str]:
+    """In words, where the scenario's own value lies outside the searched range, so that the search begins elsewhere."""
+    starts = start_of(definition)
+    return [
+        f"{axis.name} is {own:g}, outside its range, {axis.low:g} to {axis.high:g}: the search begins at {starts[axis.name]:g}"
+        for axis, own in owned(definition)
+        if starts[axis.name] != own
+    ]
 
 
 def violation(row: Mapping[str, Any]) -> float:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator
 
 import numpy as np
@@ -13,20 +14,28 @@ from dampen.simulation.result import Result
 
 Array = np.ndarray
 GROWTH, FEWEST = 1.05, 10
+FOOLED = 0.01  # how likely chance alone may fail a row of trials that differ by chance, at most
 SIGNALS = ("y", "v", "command", "delivered")
 
 
 def boundedness(result: Result) -> Iterator[Finding]:
     """A row for each signal at each port, one for the energy, and one for each constraint."""
+    judge = bounded_by_chance if result.scenario.by_chance else bounded
+    for signal in signals(result):
+        yield judge(*signal)
+    for name in result.scenario.task.constraint:
+        yield margin(result, name)
+
+
+def signals(result: Result) -> Iterator[tuple[str, str, Array, str]]:
+    """Name, port ("" for the energy), largest value of each trial and unit of each signal that is to be bounded."""
     learned = [name for name, v in result.layout.variables.items() if v.meaning.startswith("learned ")]
     for port in result.scenario.plant.ports:
         for name in (*SIGNALS, *learned):
             by_trial = largest(result, name, port.name)
             if np.any(by_trial):
-                yield bounded(name, port.name, by_trial, signal_unit(name, port))
-    yield bounded("energy", "", largest(result, "energy"), "J")
-    for name in result.scenario.task.constraint:
-        yield margin(result, name)
+                yield name, port.name, by_trial, signal_unit(name, port)
+    yield "energy", "", largest(result, "energy"), "J"
 
 
 def signal_unit(name: str, port: object) -> str:
@@ -65,6 +74,44 @@ def bounded(name: str, port: str, by_trial: Array, unit: str) -> Finding:
         f"{by_trial.max():.3g} {unit}".rstrip() + trend,
         holds,
         meaning,
+        {"largest, by trial": Quantity(tuple(map(float, by_trial)), unit)},
+    )
+
+
+def late_ones(trials: int) -> tuple[int, float]:
+    """How many of the last fifth must pass all before for growth: more than half, and so many that chance hardly does it.
+
+    Returns that number k and its probability, m late ones among N independent trials alike: that of the k largest of all being
+    late ones, C(m, k) / C(N, k).
+    """
+    late = late_trials(trials)
+    for k in range(late // 2 + 1, late + 1):
+        chance = math.comb(late, k) / math.comb(trials, k)
+        if chance <= FOOLED:
+            break
+    return k, chance
+
+
+def bounded_by_chance(name: str, port: str, by_trial: Array, unit: str) -> Finding:
+    """The same where trials differ by chance: how many of the last fifth are larger than 105 % of all before.
+
+    The largest of a fifth of independent trials is the largest of all in a fifth of all runs, and says nothing.
+    """
+    trials = len(by_trial)
+    if trials < FEWEST or not np.all(np.isfinite(by_trial)):
+        return bounded(name, port, by_trial, unit)
+    late, (most, chance) = late_trials(trials), late_ones(trials)
+    above = int(np.sum(by_trial[-late:] > GROWTH * by_trial[:-late].max()))
+    grows = above >= most
+    likely = f"{100 * chance:.1g} %" if chance >= 1e-4 else "less than 0.01 %"
+    return Finding.of(
+        "boundedness",
+        f"bounded.{name}{'.' if port else ''}{port}",
+        f"largest |{name}|{f' at {port}' if port else ''} > 105 % of all before in fewer than {most} of the last {late} trials",
+        f"{by_trial.max():.3g} {unit}".rstrip() + f"; {above} of the last {late} above 105 % of those before",
+        not grows,
+        f"It {'keeps growing' if grows else 'does not grow'} along the trials, which differ by chance. Where they are "
+        f"independent and alike, chance alone fails this row in {likely} of runs at most.",
         {"largest, by trial": Quantity(tuple(map(float, by_trial)), unit)},
     )
 

@@ -24,7 +24,9 @@ from dampen.report.study.tables import (
 )
 from dampen.report.study.views.pareto import front
 from dampen.report.style import DASH, percent
+from dampen.studies.best import at_ends, nearest_row
 from dampen.studies.rows import JUDGED, column, counts, statuses
+from dampen.studies.search import violation
 from dampen.studies.statistics import Proportion, Robustness, robustness
 from dampen.studies.study import Study
 from dampen.toml import to_toml
@@ -150,7 +152,7 @@ def _searched(study: Study, ran: int) -> str:
     best, held = best_row(study, name), int((statuses(study) == "complete").sum())
     kept = "held the constraint" if scenario.task.constraint else "stayed bounded"
     if best is None:
-        return f"None of {ran:,} runs {kept}."
+        return f"None of {ran:,} runs {kept}{_nearest(study, name)}."
     names = axis_names(scenario, study.definition.axes)
     value = merit_value(name, float(column(study, name)[best]), scenario)
     value += f" in the worst of {study.definition.robust_samples} samples" if study.definition.robust_axes else ""
@@ -164,4 +166,17 @@ def _searched(study: Study, ran: int) -> str:
     if len(objectives) > 1:
         on = len(front(study, objectives))
         text += f"; {on:,} {'member is' if on == 1 else 'members are'} on the front of {len(objectives)} objectives"
-    return f"{text}; {held:,} of {ran:,} members {kept}."
+    ends = at_ends(study.definition, study.table.iloc[best])
+    return f"{text}; {held:,} of {ran:,} members {kept}." + (f" {ends}." if ends else "")
+
+
+def _nearest(study: Study, name: str) -> str:
+    """Which run broke the constraint least, and by how much; "" where none ran to its end."""
+    table = study.table
+    row = nearest_row(table.to_dict("records"), name)
+    if row is None or not violation(row) > 0:
+        return ""
+    where = where_words(
+        study, list(table["member"]).index(row["member"]), axis_names(study.definition.scenario, study.definition.axes)
+    )
+    return f"; the nearest broke it by {percent(violation(row))}, at {where}"

@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 import numpy as np
 
-from dampen.analysis.audit.boundedness import bounded, boundedness, late_trials
+from dampen.analysis.audit.boundedness import bounded, late_trials, signals
 from dampen.analysis.claims import Claim
 from dampen.analysis.composite_energy import LAMBDAS, CompositeEnergy, composite_energy, rises
 from dampen.analysis.metrics import field_rms, fraction_of_limit, largest, peaks, port_rms
@@ -110,7 +110,7 @@ def _inputs_bounded(result: Result) -> Iterator[Claim]:
 
 
 def _theorem_1(result: Result, composite: Composite) -> Iterator[Claim]:
-    rows = [finding for finding in boundedness(result) if finding.id.startswith("bounded.")]
+    rows = [bounded(*signal) for signal in signals(result)]
     if composite is not None:
         rows.append(bounded("E_j(T_b)", "", composite.total[:, 0], "J"))
     growing = [finding.id.removeprefix("bounded.") for finding in rows if finding.verdict == "FAIL"]

@@ -22,14 +22,14 @@ from dampen.simulation.result import Result
 from dampen.simulation.scenario import Scenario
 from dampen.simulation.stores import FileStore
 from dampen.simulation.trials import simulate
-from dampen.studies.best import best_row
+from dampen.studies.best import at_ends, best_row, nearest_row
 from dampen.studies.compare.comparison import Contender, Refined, Searched
 from dampen.studies.compare.entries import Entry, name_of
 from dampen.studies.definition import Definition
 from dampen.studies.engines import Engine
 from dampen.studies.evaluate import Row
 from dampen.studies.lens import get
-from dampen.studies.search import feasible, violation
+from dampen.studies.search import clipped, feasible, violation
 from dampen.studies.study import Study, new_study, open_study
 from dampen.studies.variation import member
 from dampen.toml import to_toml
@@ -88,13 +88,19 @@ def judged(
         settling=None,
         peaks={port: tuple(map(float, error_peaks(result, port))) for port in scenario.ports},
         refined=refined,
-        notes=(*entry.start.notes, *(() if best is None else best.notes)),
+        notes=(*entry.start.notes, *(() if best is None else (*best.notes, *range_notes(definitions[0], best.row)))),
         seconds=time.monotonic() - begun,
         searches=tuple(searches),
         paper=scenario.controller.paper,
         untuned=entry.start.untuned,
     )
     return contender, result
+
+
+def range_notes(definition: Definition, row: Row) -> tuple[str, ...]:
+    """What a reader has to know of where the ranges ended: a start outside of them, the best at their end."""
+    told = (*clipped(definition), at_ends(definition, row))
+    return tuple(text.replace("controller.", "") for text in told if text)
 
 
 def study_folder(folder: Path | None, k: int) -> Path | None:
@@ -165,11 +171,9 @@ def chosen(study: Study, objective: str) -> tuple[Row, tuple[str, ...]]:
     best = best_row(study, objective)
     if best is not None:
         return best, ()
-    ran = [row for row in study.rows.rows if row["status"] in ("complete", "constraint_lost")]
-    if not ran:
+    least = nearest_row(study.rows.rows, objective)
+    if least is None:
         return study.rows.by_member[0], ("no candidate ran to its end",)
-    sign = merit(objective).sign
-    least = min(ran, key=lambda row: (row["unsettled"] > 0, violation(row), sign * row[objective], row["member"]))
     return least, ("no candidate keeps the constraint: the one that breaks it least",)
 
 

@@ -68,7 +68,7 @@ def from_kind(scenario: Scenario, kind: type[Controller], bench: Bench) -> Start
 def from_controller(scenario: Scenario, bench: Bench) -> Start:
     """A scenario's own controller, from its own gains on. A range that these are outside of is stretched to them; a gain that
     it does not have it is not given."""
-    search, without = dict[str, str](), []
+    search, without, notes = dict[str, str](), [], []
     for path, text in ranges_of(scenario, bench).items():
         try:
             own = get(scenario, f"controller.{path}")
@@ -79,8 +79,12 @@ def from_controller(scenario: Scenario, bench: Bench) -> Start:
         else:
             with told_of_search(scenario.controller, path):
                 search[path] = stretched(text, number(own))
-    notes = (f"not searched, since it has no value of its own: {', '.join(without)}",) if without and search else ()
-    return Start(scenario, tried(scenario, search), notes)
+            if search[path] != text:
+                low, high = (float(end) for end in text.split(":")[:2])
+                notes.append(f"the range of {path}, {low:g} to {high:g}, is stretched to its own value, {own:g}")
+    if without and search:
+        notes.append(f"not searched, since it has no value of its own: {', '.join(without)}")
+    return Start(scenario, tried(scenario, search), tuple(notes))
 
 
 def ranges_of(scenario: Scenario, bench: Bench) -> Mapping[str, str]:

@@ -36,7 +36,7 @@ def verdict(
             sentences += losses(scenario, one, contenders, objective)
     if len(held) > 1 and objective != EFFORT:
         names = [one.label for one in front(held, objective)]
-        who = "Of those that hold it nobody" if scenario.task.constraint else "Nobody"
+        who = "Of those that hold the constraint nobody" if scenario.task.constraint else "Nobody"
         sentences.append(f"{who} is better in both {words(objective)} and effort than {listed(names)}.")
     sentences += lost(scenario, contenders)
     sentences += [sensitive(scenario, one, objective) for one in held if is_sensitive(one, objective)]
