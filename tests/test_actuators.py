@@ -667,7 +667,7 @@ def test_a_stage_begins_in_its_own_state_and_is_refused_where_there_is_no_room(n
     Wide.states = states
     step = Step(DT, 1 / DT, np.zeros((1, 1)), np.eye(1), np.eye(1))
     if not fits:
-        with pytest.raises(ValueError, match="Wide needs more than 32 parameters or 16 states"):
+        with pytest.raises(ValueError, match="Wide must have at most 32 parameters and 16 states, but has"):
             port_records([(Wide(),)], step, [Wide])
         return
     _, stages = port_records([(Ideal(), Wide())], step, [Wide, Ideal])

@@ -84,7 +84,7 @@ def broken(x: np.ndarray) -> np.ndarray:
 WRONG = {
     "must be > 0 N m^2 everywhere, but is -1 at x = 1.": (1.0, -2.0),
     "must be > 0 N m^2, but is -1.": -1.0,
-    "must be a number or coefficients of c0 + c1 x + ... or string or function, but is None.": None,
+    "must be a number or coefficients of c0 + c1 x + ... or string or function in N m^2, but is None.": None,
     "must be a number, a list of coefficients, a function of x, or its name \"module:function\", but is 'stiff'.": "stiff",
     "names 'tests.test_profiles:missing', which cannot be loaded: AttributeError": "tests.test_profiles:missing",
     "must name a function of x, but is [1.0, 2.0].": "tests.test_profiles:PAIR",

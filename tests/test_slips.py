@@ -174,7 +174,7 @@ def test_a_scenario_without_a_controller_is_noted(
         ),
         (["task.constraint.tip_w=[-0.9, 0.9]", "task.constraint.tip_phi=5.0"], []),
         (["plant.length=1e-4", "plant.tip_mass=0.0", "plant.tip_inertia=0.0"], ["The lowest mode is at ", "`numerics.step` = "]),
-        (["plant.length=1000.0", "plant.initial={}"], ["does not swing once in the 2 s of the run"]),
+        (["plant.length=1000.0", "plant.initial={}"], ["of whose period the 2 s of the run are "]),
         (["plant.damping.ratio=4.0"], ["No mode swings", "4 times the critical damping"]),
         (["plant.damping.ratio=0.9"], []),
     ],

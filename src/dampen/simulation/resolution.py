@@ -11,6 +11,7 @@ from dampen.port import Site
 from dampen.simulation.scenario import Scenario
 
 REFUSED, WANTED = 4, 10
+HARDLY = 0.01  # of the lowest period: a run this short sees nothing move
 SHORTEST_WAVES = 2000
 
 
@@ -74,10 +75,10 @@ def odd_sizes(scenario: Scenario, modes: Modes) -> list[str]:
             f"units that `dampen list` gives? If so, `numerics.step` = {1 / (WANTED * lowest):.2g} would do."
         )
     whole = scenario.task.trials * scenario.task.trial_duration
-    if lowest * whole < 1:
+    if lowest * whole < HARDLY:
         warnings.append(
-            f"The lowest mode is at {lowest:.2g} Hz and does not swing once in the {whole:g} s of the run: are the plant's "
-            "parameters in the units that `dampen list` gives?"
+            f"The lowest mode is at {lowest:.2g} Hz, of whose period the {whole:g} s of the run are {lowest * whole:.1g}: are "
+            "the plant's parameters in the units that `dampen list` gives?"
         )
     swinging = modes.omega > 0
     if swinging.any() and np.all(modes.decay[swinging] >= modes.omega[swinging]):
