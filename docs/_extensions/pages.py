@@ -49,6 +49,8 @@ def _setup(app: Any) -> None:
     startup = app.dampen_top / "ipython" / "profile_default" / "startup"
     startup.mkdir(parents=True)
     shutil.copy(HERE / "kernel_start.py", startup / "00-kernel_start.py")
+    quiet = "c.IPKernelApp.log_level = 'ERROR'  # its ports are this machine's own\n"
+    (startup.parent / "ipython_kernel_config.py").write_text(quiet, encoding="utf-8")
     beside = os.pathsep.join([str(HERE), str(HERE.parent / "validation"), os.environ.get("PYTHONPATH", "")])
     os.environ.update(
         {
