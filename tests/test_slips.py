@@ -242,3 +242,17 @@ def test_a_parameter_without_its_table_is_told_with_it(option: str) -> None:
 def test_an_option_that_is_a_key_of_the_scenario(words: tuple[str, ...], hint: str, tmp_path: Path) -> None:
     done = dampen_command("run", "he2017", *words, cwd=tmp_path)
     assert (done.returncode, done.stderr) == (2, f"No such option: {hint}\n")
+
+
+def test_a_table_of_any_width_says_every_word_and_number_whole(
+    monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    headings = ("Contender", "Gains", "residual", "the same, finer", "peak tip w [m]", "RMS tip phi [rad]", "settles in trial")
+    rows = [("dual-loop-ailc", "as given", "1.69 %", "1.74 %", "2.8e-3", "3.4e-3", "2"), ("none", "none; lost", *"34567")]
+    for width in range(30, 150):
+        monkeypatch.setenv("COLUMNS", str(width))
+        show_table(headings, rows, headings[2:], ("Contender",))
+        printed = capsys.readouterr().out
+        words = {word for row in (headings, *rows) for cell in row for word in cell.split()}
+        assert words <= set(printed.split()), width
+        assert max(map(len, printed.splitlines())) <= width

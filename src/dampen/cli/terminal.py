@@ -112,19 +112,28 @@ def show_table(
         max(len(part) for cell in column for part in ([str(cell)] if column[0] in kept else str(cell).split()) or [""])
         for column in columns
     ]
+    natural = [max(len(str(cell)) for cell in column) for column in columns]
     for shown in side_by_side(least, console.width):
-        fits = sum(least[i] + COLUMN_EDGE for i in shown) <= console.width
+        widths = shrunk([natural[i] for i in shown], [least[i] for i in shown], console.width - COLUMN_EDGE * len(shown))
         table = Table(box=box.SIMPLE_HEAD, pad_edge=False)
-        for i in shown:
+        for i, width in zip(shown, widths, strict=True):
             side: Literal["left", "right"] = "right" if headings[i] in numbers else "left"
-            whole = fits and headings[i] in kept
-            table.add_column(
-                Text(headings[i]), justify=side, overflow="fold", no_wrap=whole, min_width=least[i] if fits else None
-            )
+            table.add_column(Text(headings[i]), justify=side, overflow="fold", width=width)
         for row in rows:
             cells = [row[i] for i in shown]
             table.add_row(*(Text(cell) if isinstance(cell, str) else cell for cell in cells))  # brackets in text are no markup
         console.print(table)
+
+
+def shrunk(natural: Sequence[int], least: Sequence[int], room: int) -> list[int | None]:
+    """Widths of columns that fill no more than `room`: the widest give way first, none below its least; None where even that
+    is too much."""
+    if sum(least) > room:
+        return [None] * len(least)
+    widths = list(natural)
+    while sum(widths) > room:
+        widths[max((i for i in range(len(widths)) if widths[i] > least[i]), key=lambda i: widths[i])] -= 1
+    return list(widths)
 
 
 def side_by_side(least: Sequence[int], width: int) -> list[list[int]]:
